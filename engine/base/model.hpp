@@ -1,0 +1,16 @@
+#pragma once
+
+namespace repose {
+
+/// Rolling resistance of a contact (equations: engine/contact/rolling.hpp).
+enum class RollingModel { type_a, type_a_relative, type_c, type_c_undamped };
+
+/// What a contact remembers of its tangential spring: the force (rescaled on unloading, creates no energy) or
+/// the displacement (as LIGGGHTS and EDEM do).
+enum class TangentialHistory { force, displacement };
+
+/// with_tail: the short attraction at separation is kept (Tsuji damping, e exact); clamped: Fn ≥ 0 with the
+/// damping of Thornton et al. 2013.
+enum class NormalDamping { with_tail, clamped };
+
+}  // namespace repose

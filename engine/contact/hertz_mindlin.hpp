@@ -1,0 +1,115 @@
+#pragma once
+
+#include "engine/contact/law_parameters.hpp"
+#include "engine/contact/simd.hpp"
+
+namespace repose {
+
+/// Stiffness and damping that the normal and the tangential force of one contact share.
+/// The derivation: S_n = 2 Y* √(R* δ) and S_t = 8 G* √(R* δ) hold the same root, so one √(R* δ) and one √(S_n
+/// m*) serve both forces: γ_t √(S_n m*) = γ √(S_t m*) with γ_t = γ √(4 G*/Y*), which
+/// LawParameters::tangent_damping holds.
+template <class T>
+struct ContactStiffness {
+  T root;         ///< √(R* δ), the radius of the contact area [m]
+  T root_normal;  ///< √(S_n m*) [kg/s]
+};
+
+template <class T>
+REPOSE_INLINE ContactStiffness<T> contact_stiffness(const LawParameters& law, const T& R_eff, const T& m_eff,
+                                                    const T& overlap) {
+  const T root = square_root(T(R_eff * overlap));
+  return {root, square_root(T(2.0 * law.young * root * m_eff))};
+}
+
+template <class T>
+struct NormalForce {
+  T elastic;  ///< 4/3 Y* √R* δ^{3/2} [N]
+  T total;    ///< with damping, positive repulsive [N]
+};
+
+/// Damped Hertz normal force.
+///   F_n = 4/3 Y* √R* δ^{3/2} − γ_n √(S_n m*) v_n,   clamped: F_n ≥ 0
+/// @param overlap   δ > 0 [m]
+/// @param v_normal  (v_i − v_j)·n [m/s], n from j to i, negative on approach
+/// Source: article eq. 3 with δ^{3/2}; Tsuji et al. 1992; Antypov & Elliott 2011; clamped: Thornton et al.
+/// 2013.
+template <class T>
+REPOSE_INLINE NormalForce<T> normal_force(const LawParameters& law, const ContactStiffness<T>& stiffness,
+                                          const T& overlap, const T& v_normal) {
+  const T elastic = (4.0 / 3.0) * law.young * stiffness.root * overlap;
+  T total = elastic - law.normal_damping * stiffness.root_normal * v_normal;
+  if (law.clamped) total = larger(total, T(0.0));
+  return {elastic, total};
+}
+
+/// The tangential spring of one contact, as it is remembered from step to step.
+template <class T>
+struct TangentialSpring {
+  Triple<T> value;  ///< force [N] or displacement [m], by TangentialHistory; in the contact's tangent plane
+  T root;  ///< √(R* δ) of the last step [m]; 0 for a new contact. Used by TangentialHistory::force only
+};
+
+/// The spring of the last step, carried with the contact as the pair moves: turned with its normal and with
+/// the mean spin of the two bodies about it, so that a pair that rotates as one body keeps its tangential
+/// force.
+///   s ← s + Δt ½(ω_i + ω_j)·n (n × s);   s ← s − (s·n) n, with its old length
+/// Projection leaves the tangent plane to second order in the angle of a step; the old length is restored
+/// exactly.
+template <class T>
+REPOSE_INLINE Triple<T> turned_spring(const Triple<T>& spring, const Triple<T>& n, const Triple<T>& w_i,
+                                      const Triple<T>& w_j, double dt) {
+  const T spin = (0.5 * dt) * dot(w_i + w_j, n);
+  const Triple<T> spun = spring + spin * cross(n, spring);
+  const Triple<T> flat = spun - dot(spun, n) * n;
+  const T before = dot(spring, spring);
+  const T after = dot(flat, flat);
+  return square_root(T(select(after > 0.0, T(before / select(after > 0.0, after, T(1.0))), T(0.0)))) * flat;
+}
+
+/// Mindlin tangential force without micro-slip, limited by Coulomb friction.
+///   s ← s + v_t Δt (displacement)   or   s ← s min(1, a/a_old) − S_t v_t Δt (force), a = √(R* δ), S_t = 8 G*
+///   a F_t = spring − γ_t √(S_n m*) v_t,   |F_t| ≤ μs |F_n|
+/// A stored force is scaled down with the contact's radius on unloading: without it, shearing at a large
+/// overlap and back at a small one returns more work than it took (Thornton & Randall 1988; Thornton, Cummins
+/// & Cleary 2011). When the limit acts on a stored force, spring and
+/// damping together make the limited force. A stored displacement is cut to what makes the limited force by
+/// itself, and a contact that slides is not damped (as LIGGGHTS does): with the damping's share stored as a
+/// displacement, S_t would multiply it as the overlap grows, which took up to 90 % off the friction of an
+/// impact at e = 0.1.
+/// @param v_tangent  (v_i − v_j) − v_n n at the contact point [m/s]
+/// @param spring     in: turned spring of the last step; out: of this one
+/// @return force on i [N]
+/// Source: article eq. 4; Mindlin & Deresiewicz 1953.
+template <class T>
+REPOSE_INLINE Triple<T> tangential_force(const LawParameters& law, const ContactStiffness<T>& stiffness,
+                                         const T& F_n, const Triple<T>& v_tangent, double dt,
+                                         TangentialSpring<T>& spring) {
+  const T S_t = 8.0 * law.shear * stiffness.root;
+  const Triple<T> damping = (law.tangent_damping * stiffness.root_normal) * v_tangent;
+  const T limit = law.friction * absolute(F_n);
+  const auto cut = [&limit](const Triple<T>& vector) {  // the factor that brings a vector down to the limit
+    const T size = length(vector);
+    const auto beyond = size > limit;
+    return select(beyond, T(limit / select(beyond, size, T(1.0))), T(1.0));
+  };
+  Triple<T> force;
+  if (law.history == TangentialHistory::force) {
+    const auto unloading = stiffness.root < spring.root;
+    const T ratio = select(unloading, T(stiffness.root / select(unloading, spring.root, T(1.0))), T(1.0));
+    const Triple<T> damped = ratio * spring.value - (S_t * dt) * v_tangent - damping;
+    force = cut(damped) * damped;
+    spring.value = force + damping;
+  } else {
+    const Triple<T> stretched = spring.value + T(dt) * v_tangent;
+    const Triple<T> elastic = T(-S_t) * stretched;
+    const T kept = cut(elastic);
+    const Triple<T> damped = select3(kept < 1.0, kept * elastic, elastic - damping);
+    force = cut(damped) * damped;
+    spring.value = kept * stretched;
+  }
+  spring.root = stiffness.root;
+  return force;
+}
+
+}  // namespace repose

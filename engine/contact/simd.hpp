@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <experimental/simd>
+#ifdef __AVX512F__
+#include <immintrin.h>
+#endif
+
+/// The laws are small pieces of one kernel; a call between them would pass whole vector registers through
+/// memory.
+#define REPOSE_INLINE [[gnu::always_inline]] inline
+
+namespace repose {
+
+namespace stdx = std::experimental;
+
+/// As many doubles as one vector register of the machine holds.
+using SimdReal = stdx::native_simd<double>;
+
+/// The contact laws are written once for T = double (one contact) and T = SimdReal (a block of contacts).
+/// What differs between the two is here. Lanes never mix, so a contact's result does not depend on its lane
+/// or its neighbours.
+REPOSE_INLINE double select(bool condition, double yes, double no) { return condition ? yes : no; }
+template <class T>
+REPOSE_INLINE T select(const typename T::mask_type& condition, const T& yes, const T& no) {
+  T result = no;
+  stdx::where(condition, result) = yes;
+  return result;
+}
+
+template <class T>
+REPOSE_INLINE T square_root(const T& x) {
+  using std::sqrt;
+  return sqrt(x);
+}
+template <class T>
+REPOSE_INLINE T absolute(const T& x) {
+  using std::abs;
+  return abs(x);
+}
+template <class T>
+REPOSE_INLINE T smaller(const T& a, const T& b) {
+  return select(a < b, a, b);
+}
+template <class T>
+REPOSE_INLINE T larger(const T& a, const T& b) {
+  return select(a > b, a, b);
+}
+
+inline constexpr std::size_t kSimdWidth = SimdReal::size();
+
+/// Bit l is a < b in lane l.
+REPOSE_INLINE unsigned less_bits(const SimdReal& a, const SimdReal& b) {
+#ifdef __AVX512F__
+  return _mm512_cmp_pd_mask(static_cast<__m512d>(a), static_cast<__m512d>(b), _CMP_LT_OQ);
+#else
+  unsigned bits = 0;
+  for (std::size_t lane = 0; lane < kSimdWidth; ++lane)
+    bits |= static_cast<unsigned>(a[lane] < b[lane]) << lane;
+  return bits;
+#endif
+}
+
+/// A vector of three T: world x, y, z. (Eigen's fixed vectors do not take SIMD scalars.)
+template <class T>
+struct Triple {
+  T x, y, z;
+
+  REPOSE_INLINE friend Triple operator+(const Triple& a, const Triple& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
+  REPOSE_INLINE friend Triple operator-(const Triple& a, const Triple& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+  }
+  REPOSE_INLINE friend Triple operator*(const T& s, const Triple& a) { return {s * a.x, s * a.y, s * a.z}; }
+  REPOSE_INLINE friend T dot(const Triple& a, const Triple& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+  REPOSE_INLINE friend Triple cross(const Triple& a, const Triple& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  }
+  REPOSE_INLINE friend T length(const Triple& a) { return square_root(dot(a, a)); }
+};
+
+template <class M, class T>
+REPOSE_INLINE Triple<T> select3(const M& condition, const Triple<T>& yes, const Triple<T>& no) {
+  return {select(condition, yes.x, no.x), select(condition, yes.y, no.y), select(condition, yes.z, no.z)};
+}
+
+}  // namespace repose

@@ -1,0 +1,133 @@
+#include "engine/dynamics/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/dynamics/integrate.hpp"
+#include "engine/dynamics/place_sphere.hpp"
+
+namespace repose {
+
+namespace {
+
+/// Skins as parts of the mean particle's diameter. A larger skin lists more candidates that never touch, a
+/// smaller one lists more often; measured in tools/bench/NOTES.md.
+ContactList::Skins skins_of(const Particles& particles) {
+  double volume = 0.0;
+  for (const SizeClass& size : particles.size_classes)
+    volume += size.number_fraction * 0.5 * (size.volume_min + size.volume_max);
+  if (particles.size_classes.empty())
+    for (const Clump& shape : particles.shapes)
+      volume += shape.volume / static_cast<double>(particles.shapes.size());
+  const double diameter = std::cbrt(6.0 * volume / kPi);
+  return {0.15 * diameter, 0.07 * diameter};
+}
+
+ForceStep laws_of(const Scene& scene, double dt) {
+  const double stiffness = scene.numerics.stiffness_scale;
+  const auto side = [stiffness](const Material& material) {
+    return ElasticSide{stiffness * material.shear_modulus, material.poisson_ratio};
+  };
+  const auto law = [&](const Material& other, const ContactParameters& p) {
+    return law_parameters(side(scene.particles.material), side(other), p.restitution, p.static_friction,
+                          p.rolling_friction, scene.contact.rolling_damping_ratio,
+                          scene.contact.normal_damping, scene.contact.tangential_history);
+  };
+  return {law(scene.particles.material, scene.contact.particle_particle),
+          law(scene.walls, scene.contact.particle_wall), dt};
+}
+
+}  // namespace
+
+Simulation::Simulation(const Scene& scene, double dt)
+    : dt_(dt),
+      rolling_model_(scene.contact.rolling_model),
+      force_step_(laws_of(scene, dt)),
+      kernels_(force_kernels(scene.contact.rolling_model)),
+      bodies_(scene.particles.shapes, scene.particles.material.density),
+      contacts_(skins_of(scene.particles)) {}
+
+bool Simulation::step() {
+  if (!contacts_.update(bodies_, walls)) return false;
+  contacts_.place_spheres(bodies_);
+
+  clear_loads();
+  kernels_.pairs(force_step_, bodies_, contacts_, touching_);
+  kernels_.walls(force_step_, bodies_, contacts_, walls, touching_walls_);
+  if (rolling_model_ == RollingModel::type_a_relative) update_inertia_terms();
+
+  integrate(bodies_, dt_, rolling_model_ == RollingModel::type_a);
+  for (Wall& wall : walls) wall.advance(dt_);
+  ++steps_;
+  return true;
+}
+
+void Simulation::clear_loads() { std::fill(bodies_.load.begin(), bodies_.load.end(), BodyLoad{}); }
+
+/// Contacts of this step over the smallest moment, for the torque limit of the next step.
+void Simulation::update_inertia_terms() {
+  for (std::size_t i = 0; i < bodies_.count; ++i) {
+    const double softest = std::max({bodies_.inverse_i1[i], bodies_.inverse_i2[i], bodies_.inverse_i3[i]});
+    bodies_.motion[i].inertia_term = std::max(bodies_.load[i].contacts, 1.0) * softest;
+  }
+}
+
+void Simulation::add(const NewBody& body) {
+  bodies_.add(body);
+  contacts_.invalidate();
+  if (rolling_model_ == RollingModel::type_a_relative) update_inertia_terms();
+}
+
+void Simulation::remove(std::span<const char> keep) { contacts_.renumber(bodies_.retain(keep)); }
+
+void Simulation::split_wall(int from, int plus, int minus) {
+  contacts_.hand_over_wall(from, plus, 1.0);
+  contacts_.hand_over_wall(from, minus, -1.0);
+}
+
+std::vector<char> Simulation::touching_another() const {
+  std::vector<char> touches(bodies_.count, 0);
+  for (std::size_t c = 0; c < contacts_.pairs.count; ++c) {
+    if (!contacts_.pairs.touched(c)) continue;
+    for (const std::int32_t sphere : {contacts_.pairs.a[c], contacts_.pairs.b[c]})
+      touches[static_cast<std::size_t>(contacts_.placed[static_cast<std::size_t>(sphere)].body)] = 1;
+  }
+  return touches;
+}
+
+HeapSnapshot Simulation::snapshot() const {
+  HeapSnapshot heap;
+  heap.time = time();
+  for (std::size_t i = 0; i < bodies_.count; ++i) {
+    BodySnapshot body;
+    body.position = bodies_.position(i);
+    body.orientation = bodies_.orientation(i);
+    body.velocity = bodies_.velocity(i);
+    body.angular_velocity = bodies_.angular_velocity(i);
+    body.mass = bodies_.motion[i].mass;
+    body.volume = body.mass / bodies_.density;
+    body.shape = bodies_.shape[i];
+    body.scale = bodies_.scale[i];
+    heap.bodies.push_back(body);
+    for (const Sphere& local : bodies_.spheres(i)) {
+      PlacedSphere sphere;
+      sphere.body = static_cast<std::int32_t>(i);
+      place_sphere(bodies_, local, sphere);
+      heap.spheres.push_back({Vec3(sphere.centre), sphere.radius, sphere.body});
+    }
+  }
+  for (const Wall& wall : walls) {
+    if (wall.kind == Wall::Kind::base) {
+      heap.base_radius = wall.radius;
+      heap.base_height = -wall.z_low;
+    } else if (wall.present) {
+      ShellSnapshot shell{wall.radius, wall.z_low, wall.z_high, wall.x_offset, ShellSnapshot::Part::whole};
+      if (wall.kind == Wall::Kind::half_shell_plus) shell.part = ShellSnapshot::Part::half_positive_x;
+      if (wall.kind == Wall::Kind::half_shell_minus) shell.part = ShellSnapshot::Part::half_negative_x;
+      heap.shells.push_back(shell);
+    }
+  }
+  return heap;
+}
+
+}  // namespace repose

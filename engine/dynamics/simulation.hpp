@@ -1,0 +1,73 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/dynamics/bodies.hpp"
+#include "engine/dynamics/contact_list.hpp"
+#include "engine/dynamics/force_kernels.hpp"
+#include "engine/dynamics/wall.hpp"
+#include "engine/scene/heap_snapshot.hpp"
+#include "engine/scene/scene.hpp"
+
+namespace repose {
+
+/// Rigid bodies among walls under gravity, stepped with a fixed Δt.
+class Simulation {
+ public:
+  /// The particles, walls' material, contact model and numerics of a scene; no bodies and no walls yet.
+  Simulation(const Scene& scene, double dt);
+
+  /// One step: neighbours if needed, spheres placed, contact forces, integration, walls. Returns false once
+  /// the motion has diverged (a coordinate is not finite or out of all bounds); the state is then
+  /// meaningless.
+  bool step();
+
+  void add(const NewBody& body);
+  /// Removes bodies for which `gone(index)` is true; returns how many.
+  template <class Gone>
+  int remove_if(Gone gone);
+
+  /// Splits the wall `from` into the walls already added as `plus` and `minus`: contacts keep their history.
+  void split_wall(int from, int plus, int minus);
+
+  /// For each body whether it touched another body at the last step.
+  [[nodiscard]] std::vector<char> touching_another() const;
+
+  /// State for measuring and writing. `shells` are filled from the walls that are present.
+  [[nodiscard]] HeapSnapshot snapshot() const;
+
+  [[nodiscard]] double time() const { return static_cast<double>(steps_) * dt_; }
+  [[nodiscard]] double dt() const { return dt_; }
+  [[nodiscard]] long steps() const { return steps_; }
+  [[nodiscard]] const Bodies& bodies() const { return bodies_; }
+  [[nodiscard]] const ContactList& contacts() const { return contacts_; }
+
+  std::vector<Wall> walls;  ///< may be added to and changed between steps
+
+ private:
+  void remove(std::span<const char> keep);
+  void clear_loads();
+  void update_inertia_terms();
+
+  double dt_;
+  long steps_ = 0;
+  RollingModel rolling_model_;
+  ForceStep force_step_;
+  ForceKernels kernels_;
+  Bodies bodies_;
+  ContactList contacts_;
+  std::vector<std::int32_t> touching_;
+  TouchingWalls touching_walls_;
+};
+
+template <class Gone>
+int Simulation::remove_if(Gone gone) {
+  std::vector<char> keep(bodies_.count, 1);
+  int removed = 0;
+  for (std::size_t i = 0; i < bodies_.count; ++i)
+    if (gone(i)) keep[i] = 0, ++removed;
+  if (removed > 0) remove(keep);
+  return removed;
+}
+
+}  // namespace repose

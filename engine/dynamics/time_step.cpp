@@ -1,0 +1,71 @@
+#include "engine/dynamics/time_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/contact/law_parameters.hpp"
+
+namespace repose {
+
+namespace {
+
+/// Scale of a shape that gives it a volume; 1 where the scene has no size classes.
+double smallest_scale(const Particles& particles, const Clump& shape) {
+  if (particles.size_classes.empty()) return 1.0;
+  double volume = std::numeric_limits<double>::infinity();
+  for (const SizeClass& size : particles.size_classes) volume = std::min(volume, size.volume_min);
+  return std::cbrt(volume / shape.volume);
+}
+
+}  // namespace
+
+double rayleigh_time(double radius, const Material& material) {
+  return kPi * radius * std::sqrt(material.density / material.shear_modulus) /
+         (0.163 * material.poisson_ratio + 0.8766);
+}
+
+double smallest_sphere(const Particles& particles) {
+  double radius = std::numeric_limits<double>::infinity();
+  for (const Clump& shape : particles.shapes)
+    radius = std::min(radius, smallest_scale(particles, shape) * shape.smallest_radius());
+  return radius;
+}
+
+double automatic_time_step(const Scene& scene) {
+  const Material& material = scene.particles.material;
+  const ElasticSide side{material.shear_modulus * scene.numerics.stiffness_scale, material.poisson_ratio};
+  const double Y_eff =
+      law_parameters(side, side, 1.0, 0.0, 0.0, 0.0, NormalDamping::with_tail, TangentialHistory::force)
+          .young;
+  const double v =
+      std::sqrt(scene.test.pour_speed * scene.test.pour_speed + 2.0 * kGravity * scene.test.cylinder_height);
+  double step = std::numeric_limits<double>::infinity();
+  for (const Clump& shape : scene.particles.shapes) {
+    const double s = smallest_scale(scene.particles, shape);
+    const double m = material.density * s * s * s * shape.volume;
+    const double inertia = material.density * std::pow(s, 5) * shape.inertia.minCoeff();
+    for (const Sphere& sphere : shape.spheres) {
+      const double R_eff = 0.5 * s * sphere.radius, m_eff = 0.5 * m;
+      const double overlap = std::pow(15.0 * m_eff * v * v / (16.0 * Y_eff * std::sqrt(R_eff)), 0.4);
+      const double k = 2.0 * Y_eff * std::sqrt(R_eff * overlap);
+      // The contact point lies on the sphere's surface; its farthest lever about the centre of mass bounds
+      // the rotation. A single sphere is turned by the tangential force only, with the arm r and about the
+      // same stiffness.
+      const double arm = s * std::max(sphere.centre.norm(), sphere.radius);
+      const double lambda = k * 2.0 * (1.0 / m + arm * arm / inertia);
+      step = std::min(step, 2.0 / std::sqrt(lambda));
+    }
+  }
+  return kAutoStepShare * step;
+}
+
+double time_step(const Scene& scene) {
+  if (scene.numerics.time_step) return *scene.numerics.time_step;
+  if (!scene.numerics.time_step_fraction) return automatic_time_step(scene);
+  Material scaled = scene.particles.material;
+  scaled.shear_modulus *= scene.numerics.stiffness_scale;
+  return *scene.numerics.time_step_fraction * rayleigh_time(smallest_sphere(scene.particles), scaled);
+}
+
+}  // namespace repose

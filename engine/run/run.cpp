@@ -1,0 +1,68 @@
+#include "engine/run/run.hpp"
+
+#include <ctime>
+
+#include "engine/scene/canonical.hpp"
+#include "engine/slump/slump_test.hpp"
+
+namespace repose {
+
+namespace {
+
+double thread_cpu_time() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Vector code rounds as its machine does: fused multiplication and the width of its registers are part of a
+/// result.
+constexpr const char* instruction_set() {
+#if defined(__AVX512F__)
+  return "avx512";
+#elif defined(__AVX2__) && defined(__FMA__)
+  return "avx2";
+#elif defined(__AVX__)
+  return "avx";
+#else
+  return "baseline";
+#endif
+}
+
+}  // namespace
+
+std::string engine_version() { return std::string("1-") + instruction_set(); }
+
+std::string run_key(const Scene& scene, std::uint64_t seed) {
+  return digest(canonical_text(scene) + "\nseed " + std::to_string(seed) + "\nengine " + engine_version());
+}
+
+RunResult run_slump_test(const Scene& scene, std::uint64_t seed, const RunOptions& options) {
+  const double begin = thread_cpu_time();
+  SlumpTestRun test(scene, seed, options);
+  test.run();
+
+  RunResult result;
+  result.outcome = test.outcome();
+  result.reason = test.reason();
+  result.heap = test.simulation().snapshot();
+  if (result.outcome == Outcome::completed) {
+    result.measurement = measure_heap(result.heap, scene.measure);
+    if (!result.measurement.has_heap) result.outcome = Outcome::no_heap;
+    result.reason = result.measurement.reason;
+    result.responses.mass_on_base = result.measurement.mass_on_base;
+    result.responses.peak_height = result.measurement.peak_height;
+    result.responses.bulk_density = column_bulk_density(test.column(), scene.test.cylinder_radius);
+    result.responses.rest_time = test.rest_time();
+  }
+  result.cost = {thread_cpu_time() - begin, test.simulation().steps(), test.simulation().dt()};
+  result.bodies = test.pour().total_bodies();
+  for (const ParticleDraw& particle : test.pour().particles())
+    result.spheres +=
+        static_cast<long>(scene.particles.shapes[static_cast<std::size_t>(particle.shape)].spheres.size());
+  result.seed = seed;
+  result.run_key = run_key(scene, seed);
+  return result;
+}
+
+}  // namespace repose

@@ -1,0 +1,37 @@
+#include "engine/scene/sections.hpp"
+
+namespace repose {
+
+Numerics read_numerics(CheckedCase& checked) {
+  const std::string fraction = "/numerics/time_step_fraction";
+  const std::string step = "/numerics/time_step_s";
+  Numerics numerics;
+  if (checked.given(fraction) && checked.given(step))
+    checked.fault(step, "excludes " + fraction + ": give one of the two");
+  if (checked.given(step)) {
+    numerics.time_step = checked.number(step);
+    numerics.time_step_fraction.reset();
+  } else if (checked.given(fraction)) {
+    numerics.time_step_fraction = checked.number(fraction);  // nothing for "auto"
+  }
+  numerics.stiffness_scale = checked.number_or("/numerics/stiffness_scale", numerics.stiffness_scale);
+  numerics.settle_energy_ratio =
+      checked.number_or("/numerics/settle_energy_ratio", numerics.settle_energy_ratio);
+  numerics.rest_energy_ratio = checked.number_or("/numerics/rest_energy_ratio", numerics.rest_energy_ratio);
+  numerics.stage_time_limit = checked.number_or("/numerics/stage_time_limit_s", numerics.stage_time_limit);
+  return numerics;
+}
+
+MeasureOptions read_measure(CheckedCase& checked) {
+  const std::string window = "/measure/window";
+  MeasureOptions measure;
+  if (checked.entries(window) == 0) return measure;
+  const std::optional<double> low = checked.number(window + "/0");
+  const std::optional<double> high = checked.number(window + "/1");
+  if (low && high && *low >= *high) checked.fault(window, "the lower end must be below the upper end");
+  measure.window_low = low.value_or(measure.window_low);
+  measure.window_high = high.value_or(measure.window_high);
+  return measure;
+}
+
+}  // namespace repose

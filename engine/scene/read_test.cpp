@@ -1,0 +1,91 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/scene/sections.hpp"
+#include "engine/scene/units.hpp"
+
+namespace repose {
+
+namespace {
+
+/// Fewer particles than this across the cylinder arch over it or fall as single bodies: no heap to measure.
+constexpr double kParticlesAcross = 3.0;
+
+/// More bodies than this do not fit the memory of a machine that one would run them on; it is a slip of
+/// units.
+constexpr double kMostParticles = 1e7;
+
+/// Largest and mean sizes that a scene pours.
+struct Sizes {
+  double mean_volume = 0.0;  ///< by number [m³]
+  double diameter = 0.0;     ///< of the sphere of equal volume, largest [m]
+  double span = 0.0;         ///< of the sphere around a particle, largest [m]
+};
+
+Sizes sizes_of(const Particles& particles) {
+  Sizes sizes;
+  const double share = 1.0 / static_cast<double>(particles.shapes.size());
+  double largest_class = 0.0;
+  for (const SizeClass& size : particles.size_classes) {
+    largest_class = std::max(largest_class, size.volume_max);
+    sizes.mean_volume += size.number_fraction * 0.5 * (size.volume_min + size.volume_max);
+  }
+  for (const Clump& shape : particles.shapes) {
+    const double scale = particles.size_classes.empty() ? 1.0 : std::cbrt(largest_class / shape.volume);
+    if (particles.size_classes.empty()) sizes.mean_volume += share * shape.volume;
+    sizes.diameter = std::max(sizes.diameter, scale * shape.equivalent_diameter());
+    sizes.span = std::max(sizes.span, scale * 2.0 * shape.bounding_radius());
+  }
+  return sizes;
+}
+
+}  // namespace
+
+SlumpTest read_test(CheckedCase& checked) {
+  SlumpTest test;
+  test.kind = checked.choice_or("/test/kind", test.kind);
+  const std::optional<double> base = checked.number("/test/base/diameter_mm");
+  const std::optional<double> cylinder = checked.number("/test/cylinder/diameter_mm");
+  if (base) test.base_radius = from_mm(*base) / 2.0;
+  if (const auto height = checked.number("/test/base/height_mm")) test.base_height = from_mm(*height);
+  if (base && cylinder && *cylinder > *base)
+    checked.fault("/test/cylinder/diameter_mm",
+                  fmt::format("must stand on the base, whose diameter_mm is {}", *base));
+  test.cylinder_radius = from_mm(cylinder.value_or(0.0)) / 2.0;
+  test.cylinder_height = from_mm(checked.number_or("/test/cylinder/height_mm", 0.0));
+  test.pour_rate = checked.number_or("/test/pour_rate_kg_s", test.pour_rate);
+  test.pour_speed = checked.number_or("/test/pour_speed_m_s", test.pour_speed);
+  test.opening_speed = checked.number_or("/test/opening_speed_m_s", test.opening_speed);
+  return test;
+}
+
+void check_fit(CheckedCase& checked, const Particles& particles, const SlumpTest& test) {
+  if (particles.shapes.empty()) return;
+  const Sizes sizes = sizes_of(particles);
+  const double diameter = 2.0 * test.cylinder_radius;
+  if (diameter > 0.0 && diameter < sizes.span)
+    checked.fault("/test/cylinder/diameter_mm",
+                  fmt::format("must hold the largest particle, which spans {:.3g} mm", to_mm(sizes.span)));
+  else if (diameter > 0.0 && diameter < kParticlesAcross * sizes.diameter)
+    checked.fault("/test/cylinder/diameter_mm",
+                  fmt::format("must be at least {} times the largest particle's diameter, {:.3g} mm",
+                              kParticlesAcross, to_mm(sizes.diameter)));
+  if (test.cylinder_height > 0.0 && test.cylinder_height < sizes.span)
+    checked.fault("/test/cylinder/height_mm",
+                  fmt::format("must hold the largest particle, which spans {:.3g} mm", to_mm(sizes.span)));
+
+  const double particle = particles.material.density * sizes.mean_volume;
+  if (particle <= 0.0 || particles.total_mass <= 0.0) return;
+  const double count = particles.total_mass / particle;
+  if (count < 1.0)
+    checked.fault("/particles/total_mass_kg",
+                  fmt::format("must be at least the mass of one particle, {:.3g} kg", particle));
+  if (count > kMostParticles)
+    checked.fault("/particles/total_mass_kg",
+                  fmt::format("makes {:.3g} particles of {:.3g} kg; at most {:.0e} can be simulated", count,
+                              particle, kMostParticles));
+}
+
+}  // namespace repose

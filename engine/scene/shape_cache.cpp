@@ -1,0 +1,30 @@
+#include "engine/scene/shape_cache.hpp"
+
+#include "engine/shape/clump_generator.hpp"
+#include "engine/shape/mesh_file.hpp"
+
+namespace repose {
+
+namespace {
+
+template <class Key, class Make>
+const Clump& found_or_made(std::map<Key, Clump>& clumps, const Key& key, Make make) {
+  const auto found = clumps.find(key);
+  return found != clumps.end() ? found->second : clumps.emplace(key, make()).first->second;
+}
+
+}  // namespace
+
+const Clump& ShapeCache::clump(const std::filesystem::path& file) {
+  return found_or_made(clumps_, {file.string(), 0}, [&] { return read_clump(file); });
+}
+
+const Clump& ShapeCache::clump_of_mesh(const std::filesystem::path& file, int spheres) {
+  return found_or_made(clumps_, {file.string(), spheres}, [&] {
+    ClumpOptions options;
+    options.spheres = spheres;
+    return generate_clump(read_mesh(file), options).clump;
+  });
+}
+
+}  // namespace repose

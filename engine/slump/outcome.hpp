@@ -1,0 +1,34 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+
+#include "engine/scene/heap_snapshot.hpp"
+
+namespace repose {
+
+/// How a slump test ended. Only `completed` carries an angle that may enter a fit.
+enum class Outcome { completed, no_heap, timed_out, overfull, diverged, interrupted };
+/// "completed", "no_heap", …
+const char* name_of(Outcome outcome);
+
+/// What a run shows while it is under way.
+struct Progress {
+  std::string stage;          ///< pour, settle, open, rest
+  double time = 0.0;          ///< simulated [s]
+  double energy_ratio = 0.0;  ///< mean kinetic energy per body over m g d [-]
+  long steps = 0;
+  int bodies = 0;                    ///< now in the simulation
+  double expected_mass_share = 0.0;  ///< share of the mass poured so far, 0 … 1
+};
+
+struct RunOptions {
+  std::function<void(const Progress&)> on_progress;  ///< called about every 10 ms of simulated time
+  std::function<void(const HeapSnapshot&)>
+      on_frame;                             ///< called every frame_interval of simulated time, if > 0
+  double frame_interval = 0.0;              ///< [s]
+  const std::atomic<bool>* stop = nullptr;  ///< set: the run ends `interrupted` soon
+};
+
+}  // namespace repose

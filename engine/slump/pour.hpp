@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/base/random.hpp"
+#include "engine/dynamics/simulation.hpp"
+#include "engine/slump/particle_source.hpp"
+
+namespace repose {
+
+/// Pours particles into the cylinder at its top: random place across the opening, random orientation,
+/// downward at the pour speed, never overlapping what is there. Where the mouth is too narrow for the rate,
+/// particles wait for room.
+class Pour {
+ public:
+  Pour(const Scene& scene, std::uint64_t seed);
+
+  /// Adds the particles that are due since the last call.
+  void advance(Simulation& simulation);
+
+  [[nodiscard]] bool done() const { return next_ == particles_.size(); }
+  /// Simulated seconds since the last particle found room while one was waiting; 0 if none waits.
+  [[nodiscard]] double waiting(const Simulation& simulation) const;
+  [[nodiscard]] double poured_mass() const { return poured_mass_; }
+  [[nodiscard]] double total_mass() const { return total_mass_; }
+  [[nodiscard]] int total_bodies() const { return static_cast<int>(particles_.size()); }
+  [[nodiscard]] const std::vector<ParticleDraw>& particles() const { return particles_; }
+
+ private:
+  bool try_to_place(Simulation& simulation, const ParticleDraw& particle);
+  [[nodiscard]] bool fits(const Bodies& bodies, const NewBody& body, double reach) const;
+
+  const Scene& scene_;
+  RandomStream placement_;
+  std::vector<ParticleDraw> particles_;
+  std::size_t next_ = 0;
+  double poured_mass_ = 0.0;
+  double total_mass_ = 0.0;
+  double last_success_ = 0.0;  ///< simulated [s]
+  double last_call_ = 0.0;
+};
+
+}  // namespace repose

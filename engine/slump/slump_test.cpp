@@ -1,0 +1,232 @@
+#include "engine/slump/slump_test.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/dynamics/time_step.hpp"
+
+namespace repose {
+
+namespace {
+
+// Order of the walls in the simulation.
+constexpr int kBase = 0, kCylinder = 1, kHalfPlus = 2, kHalfMinus = 3;
+
+double mean_diameter(const std::vector<ParticleDraw>& particles, double density) {
+  double sum = 0.0;
+  for (const ParticleDraw& particle : particles) sum += std::cbrt(6.0 * particle.mass / (density * kPi));
+  return sum / static_cast<double>(particles.size());
+}
+
+constexpr const char* kStageNames[] = {"pour", "settle", "open", "rest"};
+
+}  // namespace
+
+const char* name_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::completed:
+      return "completed";
+    case Outcome::no_heap:
+      return "no_heap";
+    case Outcome::timed_out:
+      return "timed_out";
+    case Outcome::overfull:
+      return "overfull";
+    case Outcome::diverged:
+      return "diverged";
+    case Outcome::interrupted:
+      return "interrupted";
+  }
+  return "unknown";
+}
+
+SlumpTestRun::SlumpTestRun(const Scene& scene, std::uint64_t seed, const RunOptions& options)
+    : scene_(scene), options_(options), simulation_(scene, time_step(scene)), pour_(scene, seed) {
+  steps_per_check_ = std::max(1, static_cast<int>(kCheckInterval / simulation_.dt()));
+  mean_diameter_ = mean_diameter(pour_.particles(), scene.particles.material.density);
+  build_walls();
+}
+
+void SlumpTestRun::build_walls() {
+  const SlumpTest& test = scene_.test;
+  Wall base;
+  base.radius = test.base_radius;
+  base.z_low = -test.base_height;
+  Wall cylinder;
+  cylinder.kind = Wall::Kind::closed_shell;
+  cylinder.radius = test.cylinder_radius;
+  cylinder.z_high = test.cylinder_height;
+  simulation_.walls = {base, cylinder};
+  if (test.kind != TestKind::split_cylinder) return;
+  Wall half = cylinder;
+  half.present = false;
+  half.kind = Wall::Kind::half_shell_plus;
+  simulation_.walls.push_back(half);
+  half.kind = Wall::Kind::half_shell_minus;
+  simulation_.walls.push_back(half);
+}
+
+void SlumpTestRun::run() {
+  if (pour_stage() && settle_stage() && open_stage()) rest_stage();
+}
+
+bool SlumpTestRun::pour_stage() {
+  stage_ = Stage::pour;
+  while (!pour_.done()) {
+    pour_.advance(simulation_);
+    if (pour_.waiting(simulation_) > kLongestWait)
+      return fail(Outcome::overfull, fmt::format("the cylinder is full: {:.3g} of {:.3g} kg found room in "
+                                                 "it; pour less or use a larger cylinder",
+                                                 pour_.poured_mass(), pour_.total_mass()));
+    if (!advance()) return false;
+  }
+  return true;
+}
+
+bool SlumpTestRun::settle_stage() {
+  stage_ = Stage::settle;
+  double since = 0.0;
+  if (!until_rest(scene_.numerics.settle_energy_ratio, "the column", since)) return false;
+  column_ = simulation_.snapshot();
+  const Bodies& bodies = simulation_.bodies();
+  for (std::size_t i = 0; i < bodies.count; ++i)
+    if (bodies.z[i] > scene_.test.cylinder_height)
+      return fail(
+          Outcome::overfull,
+          fmt::format("the settled column is higher than the cylinder's {:.0f} mm; pour less or use a "
+                      "larger cylinder",
+                      1e3 * scene_.test.cylinder_height));
+  return true;
+}
+
+void SlumpTestRun::open_walls() {
+  std::vector<Wall>& walls = simulation_.walls;
+  const double speed = scene_.test.opening_speed;
+  if (scene_.test.kind == TestKind::lifted_cylinder) {
+    walls[kCylinder].kind = Wall::Kind::open_shell;
+    walls[kCylinder].velocity = {0.0, 0.0, speed};
+    return;
+  }
+  walls[kCylinder].present = false;
+  for (const int half : {kHalfPlus, kHalfMinus}) {
+    walls[static_cast<std::size_t>(half)].present = true;
+    walls[static_cast<std::size_t>(half)].velocity = {half == kHalfPlus ? speed : -speed, 0.0, 0.0};
+  }
+  simulation_.split_wall(kCylinder, kHalfPlus, kHalfMinus);
+}
+
+/// Halves are out of the way once they have passed the base's edge (on an unbounded base four radii, where a
+/// heap of the column's height ends); a lifted cylinder once it is above every body.
+bool SlumpTestRun::walls_out_of_the_way() const {
+  const SlumpTest& test = scene_.test;
+  if (test.kind == TestKind::split_cylinder) {
+    const double far =
+        std::isinf(test.base_radius) ? 4.0 * test.cylinder_radius : test.base_radius + test.cylinder_radius;
+    return simulation_.walls[kHalfPlus].x_offset > far;
+  }
+  const Bodies& bodies = simulation_.bodies();
+  for (std::size_t i = 0; i < bodies.count; ++i)
+    if (bodies.z[i] + bodies.reach[i] > simulation_.walls[kCylinder].z_low) return false;
+  return true;
+}
+
+bool SlumpTestRun::open_stage() {
+  stage_ = Stage::open;
+  open_walls();
+  const double begin = simulation_.time();
+  const double travel =
+      (scene_.test.cylinder_height + 4.0 * scene_.test.cylinder_radius) / scene_.test.opening_speed;
+  while (!walls_out_of_the_way()) {
+    if (!advance()) return false;
+    if (simulation_.time() - begin > scene_.numerics.stage_time_limit + travel)
+      return fail(Outcome::timed_out, fmt::format("the cylinder was not out of the way after {:.3g} s",
+                                                  simulation_.time() - begin));
+  }
+  for (std::size_t wall = kCylinder; wall < simulation_.walls.size(); ++wall)
+    simulation_.walls[wall].present = false;
+  rest_time_ = begin;
+  return true;
+}
+
+bool SlumpTestRun::rest_stage() {
+  stage_ = Stage::rest;
+  const double opened = rest_time_;
+  double since = 0.0;
+  if (!until_rest(scene_.numerics.rest_energy_ratio, "the heap", since)) return false;
+  rest_time_ = since - opened;
+  return true;
+}
+
+bool SlumpTestRun::until_rest(double limit, const char* what, double& since) {
+  const double begin = simulation_.time();
+  bool quiet = false;
+  for (;;) {
+    if (!advance()) return false;
+    const double now = simulation_.time();
+    const double ratio = energy_ratio();
+    if (!(ratio <= limit))
+      quiet = false;
+    else if (!quiet)
+      quiet = true, since = now;
+    if (quiet && now - since >= kHold) return true;
+    if (now - begin > scene_.numerics.stage_time_limit)
+      return fail(Outcome::timed_out, fmt::format("{} has not come to rest within {:.3g} s: kinetic energy "
+                                                  "per body is {:.2g} m g d, rest is below "
+                                                  "{:.2g}; allow more time or a larger ratio in numerics",
+                                                  what, scene_.numerics.stage_time_limit, ratio, limit));
+  }
+}
+
+bool SlumpTestRun::advance() {
+  for (int k = 0; k < steps_per_check_; ++k)
+    if (!simulation_.step())
+      return fail(Outcome::diverged,
+                  fmt::format("the motion diverged at {:.4g} s with a step of {:.3g} s; use a smaller one",
+                              simulation_.time(), simulation_.dt()));
+  if (stage_ == Stage::open || stage_ == Stage::rest) drop_fallen();
+  report();
+  if (options_.stop && options_.stop->load(std::memory_order_relaxed))
+    return fail(Outcome::interrupted, "interrupted");
+  return true;
+}
+
+double SlumpTestRun::energy_ratio() const {
+  const Bodies& bodies = simulation_.bodies();
+  const std::vector<char> touches = simulation_.touching_another();
+  double energy = 0.0, mass = 0.0;
+  for (std::size_t i = 0; i < bodies.count; ++i) {
+    const bool stray = !touches[i] && bodies.z[i] < bodies.reach[i];
+    if (stray) continue;
+    energy += bodies.kinetic_energy(i);
+    mass += bodies.motion[i].mass;
+  }
+  return mass > 0.0 ? energy / (mass * kGravity * mean_diameter_) : 0.0;
+}
+
+void SlumpTestRun::drop_fallen() {
+  const Bodies& bodies = simulation_.bodies();
+  simulation_.remove_if([&bodies](std::size_t i) { return bodies.z[i] + bodies.reach[i] < 0.0; });
+}
+
+void SlumpTestRun::report() {
+  const double now = simulation_.time();
+  if (options_.on_frame && options_.frame_interval > 0.0 && now >= next_frame_) {
+    options_.on_frame(simulation_.snapshot());
+    next_frame_ += options_.frame_interval;
+  }
+  if (!options_.on_progress || now < next_report_) return;
+  next_report_ = now + kReportInterval;
+  options_.on_progress({kStageNames[static_cast<int>(stage_)], now, energy_ratio(), simulation_.steps(),
+                        static_cast<int>(simulation_.bodies().count),
+                        pour_.poured_mass() / pour_.total_mass()});
+}
+
+bool SlumpTestRun::fail(Outcome outcome, std::string reason) {
+  outcome_ = outcome;
+  reason_ = std::move(reason);
+  return false;
+}
+
+}  // namespace repose

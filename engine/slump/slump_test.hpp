@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/dynamics/simulation.hpp"
+#include "engine/slump/outcome.hpp"
+#include "engine/slump/pour.hpp"
+
+namespace repose {
+
+/// The slump test as a protocol (article section 3.2): pour, settle, open, rest. The physics ends each stage:
+/// the pour when all particles are in, settle and rest when the mean kinetic energy per body has stayed below
+/// settle_energy_ratio × m g d or rest_energy_ratio × m g d for kHold, open when the walls are out of the
+/// way. A stage that does not end within numerics.stage_time_limit ends the run `timed_out`.
+///
+/// Strays do not count: a body that touches no other body and is as low as the base would be rolls for
+/// itself, and the heap does not wait for it. Bodies that have fallen below the base's top cannot come back
+/// and leave the simulation.
+class SlumpTestRun {
+ public:
+  SlumpTestRun(const Scene& scene, std::uint64_t seed, const RunOptions& options);
+
+  /// Runs all stages.
+  void run();
+
+  [[nodiscard]] Outcome outcome() const { return outcome_; }
+  [[nodiscard]] const std::string& reason() const { return reason_; }
+  [[nodiscard]] const Simulation& simulation() const { return simulation_; }
+  [[nodiscard]] const Pour& pour() const { return pour_; }
+  /// The settled column just before opening.
+  [[nodiscard]] const HeapSnapshot& column() const { return column_; }
+  /// Simulated time from the opening to rest [s].
+  [[nodiscard]] double rest_time() const { return rest_time_; }
+
+ private:
+  static constexpr double kHold = 0.02;            ///< simulated time that rest must last [s]
+  static constexpr double kCheckInterval = 5e-4;   ///< between looks at energies, strays and the inlet [s]
+  static constexpr double kReportInterval = 0.01;  ///< between progress reports [s]
+  static constexpr double kLongestWait = 0.25;     ///< for room at the inlet, then the cylinder is full [s]
+
+  enum class Stage { pour, settle, open, rest };
+
+  void build_walls();
+  bool pour_stage();
+  bool settle_stage();
+  bool open_stage();
+  bool rest_stage();
+  void open_walls();
+  [[nodiscard]] bool walls_out_of_the_way() const;
+
+  /// Steps to the next look; false: the run is over (diverged or stopped).
+  bool advance();
+  /// Advances until the energy ratio has stayed below `limit`; false: the run is over. `since` receives when
+  /// rest began.
+  bool until_rest(double limit, const char* stage, double& since);
+  [[nodiscard]] double energy_ratio() const;
+  void drop_fallen();
+  void report();
+  bool fail(Outcome outcome, std::string reason);
+
+  const Scene& scene_;
+  const RunOptions& options_;
+  Simulation simulation_;
+  Pour pour_;
+  Stage stage_ = Stage::pour;
+  int steps_per_check_ = 1;
+  double mean_diameter_ = 0.0;
+  double next_report_ = 0.0;
+  double next_frame_ = 0.0;
+  double rest_time_ = 0.0;
+  Outcome outcome_ = Outcome::completed;
+  std::string reason_;
+  HeapSnapshot column_;
+};
+
+}  // namespace repose

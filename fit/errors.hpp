@@ -1,0 +1,27 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "fit/response_table.hpp"
+
+namespace repose::fit {
+
+/// A table, a saved fit or a question that cannot be answered; what() says why, one line per fault.
+class Unusable : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// An angle that the equation gives nowhere in the domain; what() names the range that it does give.
+class Unreachable : public Unusable {
+ public:
+  Unreachable(const std::string& reason, Range reachable) : Unusable(reason), reachable_(reachable) {}
+  /// Angles within reach with what is fixed [deg].
+  [[nodiscard]] const Range& reachable() const { return reachable_; }
+
+ private:
+  Range reachable_;
+};
+
+}  // namespace repose::fit

@@ -1,0 +1,166 @@
+#include "fit/power_law.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit/selection.hpp"
+#include "fit/solver.hpp"
+#include "fit/student_t.hpp"
+#include "fit/uncertainty.hpp"
+
+namespace repose::fit {
+namespace {
+
+constexpr double kGapWorthSaying = 1e-6;
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+Estimate& exponent_of(PowerLaw& law, Factor factor) {
+  switch (factor) {
+    case Factor::e:
+      return law.a;
+    case Factor::mu_r:
+      return law.b;
+    default:
+      return law.c;
+  }
+}
+
+Domain domain_of(const std::vector<Observation>& rows) {
+  const auto range = [&rows](auto&& value) {
+    Range r{value(rows.front()), value(rows.front())};
+    for (const Observation& row : rows) {
+      r.low = std::min(r.low, value(row));
+      r.high = std::max(r.high, value(row));
+    }
+    return r;
+  };
+  return {range([](const Observation& row) { return row.e; }),
+          range([](const Observation& row) { return row.mu_s; }),
+          range([](const Observation& row) { return row.mu_r; }),
+          range([](const Observation& row) { return row.angle; })};
+}
+
+// θ of the solver holds the varying factors alone; here each goes to its place among (ln C, a, b, c).
+void place_parameters(PowerLaw& law, const Selection& selection, const Eigen::VectorXd& theta,
+                      const Eigen::MatrixXd& covariance) {
+  std::vector<Eigen::Index> place = {0};
+  for (const Factor factor : selection.varying) place.push_back(1 + static_cast<Eigen::Index>(factor));
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    for (std::size_t j = 0; j < place.size(); ++j) {
+      law.covariance(place[i], place[j]) =
+          covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+    }
+  }
+  const double t = student_t_quantile(0.975, law.error.degrees_of_freedom);
+  const auto estimate = [t](double value, double standard_error) {
+    return Estimate{value, standard_error, {value - t * standard_error, value + t * standard_error}, true};
+  };
+  law.a = law.b = law.c = Estimate{0.0, kNaN, {kNaN, kNaN}, false};
+  const double C = std::exp(theta(0));
+  law.C = estimate(C, C * std::sqrt(law.covariance(0, 0)));
+  for (std::size_t i = 1; i < place.size(); ++i) {
+    exponent_of(law, selection.varying[i - 1]) =
+        estimate(theta(static_cast<Eigen::Index>(i)), std::sqrt(law.covariance(place[i], place[i])));
+  }
+}
+
+void place_errors(PowerLaw& law, const Selection& selection, const PowerSolution& solution,
+                  const Eigen::VectorXd& observed) {
+  Eigen::Index worst = 0;
+  law.worst_error = solution.residual.cwiseAbs().maxCoeff(&worst);
+  law.worst_point = selection.used[static_cast<std::size_t>(worst)];
+  const double sum = solution.residual.squaredNorm();
+  const double total = (observed.array() - observed.mean()).matrix().squaredNorm();
+  law.rms_error = std::sqrt(sum / static_cast<double>(observed.size()));
+  law.r_squared = total > 0.0 ? 1.0 - sum / total : kNaN;
+}
+
+void add_remarks(PowerLaw& law, const Selection& selection) {
+  for (const Factor factor : kFactors) {
+    if (std::find(selection.varying.begin(), selection.varying.end(), factor) != selection.varying.end())
+      continue;
+    law.remarks.push_back(fmt::format(
+        "{} is {} in every point: its exponent cannot be found and is set to 0, C holds its effect",
+        name_of(factor), range_of(law.domain, factor).low));
+  }
+  if (law.error.lack_of_fit_p < 0.05) {
+    law.remarks.push_back(
+        fmt::format("the law misses the angles by more than the scatter of repeats ({:.2f} deg) explains (P "
+                    "= {:.2g}): its "
+                    "errors are those of its form, and more repeats do not make them smaller",
+                    law.error.pure_error, law.error.lack_of_fit_p));
+  }
+}
+
+}  // namespace
+
+const char* name_of(Loss loss) { return loss == Loss::minimax ? "minimax" : "least-squares"; }
+
+Loss loss_named(const std::string& name) {
+  for (const Loss loss : {Loss::least_squares, Loss::minimax}) {
+    if (name == name_of(loss)) return loss;
+  }
+  throw Unusable(fmt::format("loss '{}': must be least-squares or minimax", name));
+}
+
+Eigen::Vector4d PowerLaw::log_row(const Factors& factors) const {
+  return {1.0, a.identified ? std::log(factors.e) : 0.0, b.identified ? std::log(factors.mu_r) : 0.0,
+          c.identified ? std::log(factors.mu_s) : 0.0};
+}
+
+double PowerLaw::predict(const Factors& factors) const {
+  return C.value * std::exp(log_row(factors).dot(Eigen::Vector4d(0.0, a.value, b.value, c.value)));
+}
+
+double PowerLaw::standard_error_at(const Factors& factors) const {
+  const Eigen::Vector4d h = log_row(factors);
+  return predict(factors) * std::sqrt(std::max(0.0, h.dot(covariance * h)));
+}
+
+Eigen::Matrix4d PowerLaw::correlation() const {
+  const Eigen::Vector4d deviation = covariance.diagonal().cwiseSqrt();
+  Eigen::Matrix4d result = covariance.cwiseQuotient(deviation * deviation.transpose());
+  const auto all = parameters();
+  for (Eigen::Index i = 0; i < 4; ++i) {
+    if (all[static_cast<std::size_t>(i)]->identified) {
+      result(i, i) = 1.0;
+    } else {
+      result.row(i).setConstant(kNaN);
+      result.col(i).setConstant(kNaN);
+    }
+  }
+  return result;
+}
+
+PowerLaw fit_power_law(std::span<const Observation> table, Loss loss) {
+  Selection selection = select_points(table);
+  const PowerProblem problem = problem_of(selection);
+  const PowerSolution least_squares = solve_least_squares(problem, log_linear_start(problem));
+
+  PowerLaw law;
+  law.loss = loss;
+  law.error = judge_error(least_squares, problem, selection.point_of, selection.distinct_points);
+  law.domain = domain_of(selection.used);
+  law.points = static_cast<int>(selection.used.size());
+  law.distinct_points = selection.distinct_points;
+  if (loss == Loss::minimax) {
+    const PowerSolution minimax = solve_minimax(problem, least_squares.theta);
+    place_parameters(law, selection, minimax.theta, minimax_covariance(problem, least_squares, law.error));
+    place_errors(law, selection, minimax, problem.response);
+    if (minimax.optimality > kGapWorthSaying) {
+      law.remarks.push_back(fmt::format("the worst error may be up to {:.2g} % above the smallest possible",
+                                        100.0 * minimax.optimality));
+    }
+  } else {
+    place_parameters(law, selection, least_squares.theta,
+                     jacobian_covariance(least_squares.jacobian, law.error.standard_deviation));
+    place_errors(law, selection, least_squares, problem.response);
+  }
+  add_remarks(law, selection);
+  law.excluded = std::move(selection.excluded);
+  return law;
+}
+
+}  // namespace repose::fit

@@ -1,0 +1,196 @@
+#include "sweep/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "engine/base/random.hpp"
+#include "engine/run/run.hpp"
+#include "engine/scene/case_keys.hpp"
+#include "engine/scene/json_file.hpp"
+#include "engine/scene/scene_reader.hpp"
+#include "sweep/design_reader.hpp"
+
+namespace repose::sweep {
+
+namespace {
+
+using Json = CaseDocument::Json;
+
+/// Name under which the values of a design go into a case, to know them again in the faults of the scene.
+constexpr const char* kOfDesign = "the design of the sweep";
+
+Json as_json(const Factor& factor, double value) {
+  const CaseKey* key = find_case_key(factor.pointer);
+  const bool whole = key != nullptr && key->kind == KeyKind::integer && std::abs(value) < 0x1p53 &&
+                     value == std::floor(value);
+  return whole ? Json(static_cast<std::int64_t>(value)) : Json(value);
+}
+
+/// Reads the scene at each point of a design and collects what is wrong there.
+class ScenesOfPoints {
+ public:
+  ScenesOfPoints(const CaseDocument& document, const Design& design) : document_(document), design_(design) {}
+
+  /// Factors that stand for no number of a case are left out.
+  Scene at(const std::vector<double>& values) {
+    CaseDocument document = document_;
+    Faults faults;
+    for (std::size_t f = 0; f < values.size(); ++f) {
+      const Factor& factor = design_.factors[f];
+      if (factor.pointer.empty() || !std::isfinite(values[f])) continue;
+      try {
+        document.set(factor.pointer, as_json(factor, values[f]), kOfDesign);
+      } catch (const InputError& error) {
+        faults.add(error);
+      }
+    }
+    Scene scene = read_scene(document, faults, shapes_);
+    ++points_;
+    for (const Fault& fault : faults.list()) note(placed(fault), values);
+    return scene;
+  }
+
+  /// The faults, each once; one that only some points have names the first of them.
+  void add_to(Faults& faults) const {
+    for (const Noted& noted : noted_) {
+      std::string rule = noted.fault.rule;
+      if (noted.points < points_ && !noted.of_factor) rule += " (with " + noted.values + ")";
+      faults.add(noted.fault.file, noted.fault.pointer, noted.fault.value, rule);
+    }
+  }
+
+ private:
+  struct Noted {
+    Fault fault;
+    bool of_factor = false;
+    std::string values;
+    int points = 0;
+  };
+
+  /// A fault of a value that the design has set is the design's own.
+  [[nodiscard]] std::pair<Fault, bool> placed(Fault fault) const {
+    if (fault.file != kOfDesign) return {fault, false};
+    for (const Factor& factor : design_.factors) {
+      if (factor.pointer != fault.pointer) continue;
+      if (design_.kind == DesignKind::table) {
+        fault.file = document_.resolve("/sweep/table", design_.table_file).string();
+        fault.pointer = "column " + factor.name;
+      } else {
+        fault.pointer = pointer_to("/sweep/factors", factor.name);
+        fault.file = document_.source(fault.pointer);
+      }
+      return {fault, true};
+    }
+    fault.file = document_.source(fault.pointer);
+    return {fault, false};
+  }
+
+  void note(const std::pair<Fault, bool>& placed, const std::vector<double>& values) {
+    const auto& [fault, of_factor] = placed;
+    const auto [place, is_new] =
+        index_.emplace(std::tuple(fault.file, fault.pointer, fault.rule), noted_.size());
+    if (is_new) {
+      std::string words;
+      for (std::size_t f = 0; f < values.size(); ++f)
+        words += fmt::format("{}{} = {}", f == 0 ? "" : ", ", design_.factors[f].name, values[f]);
+      noted_.push_back({fault, of_factor, words, 0});
+    }
+    ++noted_[place->second].points;
+  }
+
+  const CaseDocument& document_;
+  const Design& design_;
+  ShapeCache shapes_;
+  std::vector<Noted> noted_;
+  std::map<std::tuple<std::string, std::string, std::string>, std::size_t> index_;
+  int points_ = 0;
+};
+
+/// Something to check the rest of the case with when the design itself is not sound.
+std::vector<double> first_levels(const Design& design) {
+  std::vector<double> values;
+  for (std::size_t f = 0; f < design.factors.size(); ++f) {
+    const Factor& factor = design.factors[f];
+    double value = factor.levels.empty() ? std::nan("") : factor.levels.front();
+    if (!design.rows.empty() && f < design.rows.front().values.size()) value = design.rows.front().values[f];
+    values.push_back(value);
+  }
+  return values;
+}
+
+}  // namespace
+
+FactorValues Plan::factors_of(std::size_t point) const {
+  FactorValues values;
+  for (std::size_t f = 0; f < design.factors.size(); ++f)
+    values[design.factors[f].name] = points[point].values[f];
+  return values;
+}
+
+Plan make_plan(const CaseDocument& document) {
+  Faults faults;
+  Plan plan;
+  plan.design = read_design(document, faults);
+  ScenesOfPoints scenes(document, plan.design);
+  if (!faults.empty()) {
+    scenes.at(first_levels(plan.design));
+    scenes.add_to(faults);
+    faults.throw_if_any();
+  }
+  const std::vector<DesignPoint> points = points_of(plan.design);
+  for (const DesignPoint& point : points) plan.points.push_back({point.values, scenes.at(point.values)});
+  scenes.add_to(faults);
+  faults.throw_if_any();
+
+  std::set<std::string> keys;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    for (const int replicate : points[p].replicates) {
+      const std::uint64_t seed = seed_of(plan.design, points[p].values, replicate);
+      std::string key = run_key(plan.points[p].scene, seed);
+      // Two points can be the same test, where a factor changes nothing; it is made once.
+      if (keys.insert(key).second) plan.runs.push_back({p, replicate, seed, std::move(key)});
+    }
+  }
+  return plan;
+}
+
+Shard parse_shard(const std::string& text) {
+  const auto slash = text.find('/');
+  const auto number = [](const char* first, const char* last) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(first, last, value);
+    return error == std::errc{} && end == last ? value : 0;
+  };
+  Shard shard{0, 0};
+  if (slash != std::string::npos) {
+    shard.index = number(text.data(), text.data() + slash);
+    shard.count = number(text.data() + slash + 1, text.data() + text.size());
+  }
+  if (shard.index < 1 || shard.index > shard.count)
+    throw InputError({"--shard", "", text, "must be I/N with 1 <= I <= N, such as 2/4"});
+  return shard;
+}
+
+std::vector<std::size_t> runs_of_shard(const Plan& plan, const Shard& shard) {
+  std::vector<std::pair<std::uint64_t, std::size_t>> shuffled;
+  for (std::size_t i = 0; i < plan.runs.size(); ++i) {
+    const PlannedRun& run = plan.runs[i];
+    const std::uint64_t point = hash_of_point(plan.design, plan.points[run.point].values);
+    shuffled.emplace_back(mix64(point + static_cast<std::uint64_t>(run.replicate)), i);
+  }
+  std::sort(shuffled.begin(), shuffled.end());
+  std::vector<std::size_t> mine;
+  for (auto i = static_cast<std::size_t>(shard.index - 1); i < shuffled.size();
+       i += static_cast<std::size_t>(shard.count))
+    mine.push_back(shuffled[i].second);
+  std::sort(mine.begin(), mine.end());
+  return mine;
+}
+
+}  // namespace repose::sweep

@@ -1,0 +1,159 @@
+#include "sweep/sweep.hpp"
+
+#include <unordered_map>
+
+#include "engine/base/input_error.hpp"
+#include "sweep/same_case.hpp"
+#include "sweep/study.hpp"
+
+namespace repose::sweep {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+using RunsByKey = std::unordered_map<std::string, StoredRun>;
+
+RunsByKey by_key(std::vector<StoredRun> runs) {
+  RunsByKey map;
+  for (StoredRun& run : runs) map.emplace(run.run_key, std::move(run));
+  return map;
+}
+
+std::unordered_map<std::string, Store::Label> labels_of(const Plan& plan) {
+  std::unordered_map<std::string, Store::Label> labels;
+  for (const PlannedRun& run : plan.runs)
+    labels.emplace(run.key, Store::Label{static_cast<int>(run.point) + 1, run.replicate});
+  return labels;
+}
+
+/// Numbers the stored runs by the plan where they are not yet.
+void label_by(const Plan& plan, const RunsByKey& stored, Store& store) {
+  const auto labels = labels_of(plan);
+  for (const auto& [key, run] : stored) {
+    const auto label = labels.find(key);
+    const bool fits = label == labels.end()
+                          ? !run.point.has_value()
+                          : run.point == label->second.point && run.replicate == label->second.replicate;
+    if (!fits) return store.relabel(labels);
+  }
+}
+
+CostModel costs_of(const Plan& plan, const RunsByKey& stored) {
+  std::vector<double> work;
+  for (const PlannedPoint& point : plan.points) work.push_back(estimated_work(point.scene));
+  CostModel costs(std::move(work));
+  for (const PlannedRun& run : plan.runs) {
+    const auto found = stored.find(run.key);
+    if (found != stored.end() && found->second.cpu_s) costs.learn(run.point, *found->second.cpu_s);
+  }
+  return costs;
+}
+
+bool is_done(const RunsByKey& stored, const std::string& key) {
+  const auto found = stored.find(key);
+  return found != stored.end() && !found->second.failed();
+}
+
+}  // namespace
+
+SweepSummary run_sweep(const CaseDocument& document, const fs::path& folder, const SweepOptions& options) {
+  const Plan plan = make_plan(document);
+  Study study = open_or_create_study(folder, document);
+  const RunsByKey stored = by_key(study.store.runs());
+  label_by(plan, stored, study.store);
+  CostModel costs = costs_of(plan, stored);
+
+  const std::vector<std::size_t> part = runs_of_shard(plan, options.shard);
+  std::vector<std::size_t> todo;
+  SweepProgress begin;
+  begin.planned = static_cast<int>(part.size());
+  for (const std::size_t index : part) {
+    const std::string& key = plan.runs[index].key;
+    if (!is_done(stored, key))
+      todo.push_back(index);
+    else if (!stored.at(key).completed())
+      ++begin.failed;
+  }
+  begin.left = static_cast<int>(todo.size());
+  begin.done = begin.planned - begin.left;
+
+  SweepSummary summary = run_all(plan, todo, study.store, costs, begin, options);
+  summary.planned = begin.planned;
+  summary.present = begin.done;
+  summary.left = begin.left - summary.finished;
+  const RunsByKey now = by_key(study.store.runs());
+  for (const std::size_t index : part) {
+    const auto run = now.find(plan.runs[index].key);
+    if (run != now.end()) ++summary.outcomes[run->second.outcome];
+  }
+  return summary;
+}
+
+StudyStatus status_of(const fs::path& folder) {
+  const Study study = open_study(folder);
+  const Plan plan = make_plan(study.document);
+  const RunsByKey stored = by_key(study.store.runs());
+  const CostModel costs = costs_of(plan, stored);
+  StudyStatus status;
+  status.planned = static_cast<int>(plan.runs.size());
+  double seconds_left = 0.0;
+  bool known = true;
+  for (const PlannedRun& run : plan.runs) {
+    const auto found = stored.find(run.key);
+    if (found != stored.end()) {
+      ++status.outcomes[found->second.outcome];
+      if (!found->second.completed()) status.not_completed.push_back(found->second);
+    }
+    if (is_done(stored, run.key)) {
+      ++status.done;
+    } else {
+      const auto expected = costs.seconds(run.point);
+      known = known && expected.has_value();
+      seconds_left += expected.value_or(0.0);
+    }
+  }
+  status.left = status.planned - status.done;
+  int planned_and_stored = 0;
+  for (const auto& [outcome, count] : status.outcomes) planned_and_stored += count;
+  status.outside = static_cast<int>(stored.size()) - planned_and_stored;
+  for (const auto& [key, run] : stored)
+    if (run.version != engine_version()) ++status.of_other_version;
+  if (known) status.cpu_left_s = seconds_left;
+  return status;
+}
+
+int merge_studies(const std::vector<fs::path>& folders, const fs::path& into) {
+  Faults faults;
+  std::vector<Study> studies;
+  for (const fs::path& folder : folders) {
+    try {
+      studies.push_back(open_study(folder));
+    } catch (const InputError& error) {
+      faults.add(error);
+    }
+  }
+  if (folders.empty()) faults.add(into.string(), "", "", "no study was named to merge into it");
+  faults.throw_if_any();
+
+  const bool is_new = !fs::exists(into / kStudyFile);
+  const CaseDocument reference = is_new ? studies.front().document : open_study(into).document;
+  std::vector<const Store*> stores;
+  for (const Study& study : studies) {
+    for (const Fault& fault : differences(reference, study.document))
+      faults.add(study.folder.string(), fault.pointer, fault.value, fault.rule);
+    stores.push_back(&study.store);
+  }
+  faults.throw_if_any();
+
+  Study target = is_new ? open_or_create_study(into, reference) : open_study(into);
+  for (const std::string& key : target.store.take_from(stores))
+    faults.add(into.string(), "", key, "two studies hold different results of this run");
+  faults.throw_if_any();
+
+  const Plan plan = make_plan(target.document);
+  label_by(plan, by_key(target.store.runs()), target.store);
+  return static_cast<int>(target.store.runs().size());
+}
+
+}  // namespace repose::sweep

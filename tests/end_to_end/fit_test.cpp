@@ -1,0 +1,201 @@
+// repose fit and invert: from a table to the equation, from the equation and an angle to friction.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "end_to_end/repose_program.hpp"
+
+namespace repose::test {
+namespace {
+
+/// α = 56.61 e^0.01 μr^0.084 μs^0.25, article eq. 13 [deg].
+double article_angle(double e, double mu_s, double mu_r) {
+  return 56.61 * std::pow(e, 0.01) * std::pow(mu_r, 0.084) * std::pow(mu_s, 0.25);
+}
+
+/// A table of the article's equation over its ranges, e from 0.1 on.
+std::string article_table() {
+  std::string csv = "run,e_pp,mu_s,mu_r,angle_deg,colour\n";
+  int run = 0;
+  for (const double e : {0.1, 0.3, 0.6})
+    for (const double mu_s : {0.2, 0.5, 0.8})
+      for (const double mu_r : {0.05, 0.1, 0.2})
+        csv += fmt::format("{},{},{},{},{:.17g},red\n", ++run, e, mu_s, mu_r, article_angle(e, mu_s, mu_r));
+  return csv;
+}
+
+std::string write_table(const TemporaryFolder& folder, const std::string& csv) {
+  write_text(folder / "table.csv", csv);
+  return (folder / "table.csv").string();
+}
+
+TEST(Fit, FindsTheEquationThatATableWasMadeFromAndHasEveryKeyOfTheContract) {
+  const TemporaryFolder folder;
+  const std::string table = write_table(folder, article_table());
+  for (const std::string loss : {"least-squares", "minimax"}) {
+    const Finished run = repose({"fit", table, "--loss", loss, "--json"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    const Json json = Json::parse(run.out);
+    // The table is exact to 17 digits; 1e-6 is what the optimiser is stopped at.
+    EXPECT_NEAR(json.at("C").get<double>(), 56.61, 56.61e-6);
+    EXPECT_NEAR(json.at("a").get<double>(), 0.01, 1e-6);
+    EXPECT_NEAR(json.at("b").get<double>(), 0.084, 1e-6);
+    EXPECT_NEAR(json.at("c").get<double>(), 0.25, 1e-6);
+    EXPECT_LT(json.at("worst_error_deg").get<double>(), 1e-4);
+    EXPECT_LT(json.at("rms_error_deg").get<double>(), 1e-4);
+    EXPECT_GT(json.at("r_squared").get<double>(), 1.0 - 1e-6);
+    EXPECT_EQ(json.at("points"), 27);
+    EXPECT_EQ(json.at("excluded").size(), 0U);
+    for (const char* key : {"standard_error", "interval_95", "correlation", "worst_point", "domain"})
+      EXPECT_TRUE(json.contains(key)) << key;
+    EXPECT_EQ(json.at("domain").at("mu_s"), Json({0.2, 0.8}));
+  }
+}
+
+TEST(Fit, RowsThatTheLawCannotTakeAreNamedWithTheirReason) {
+  const TemporaryFolder folder;
+  const std::string table = write_table(
+      folder, article_table() + "28,0,0.5,0.1,30,red\n29,0.3,0.5,0.1,,red\n30,0.3,0.5,0,20,red\n");
+  const Json json = Json::parse(repose({"fit", table, "--json"}).out);
+  EXPECT_EQ(json.at("points"), 27);
+  ASSERT_EQ(json.at("excluded").size(), 3U);
+  std::string all;
+  for (const Json& row : json.at("excluded")) {
+    EXPECT_NE(row.at("reason"), "");
+    all += row.at("label").get<std::string>() + ";";
+  }
+  for (const char* line : {"line 29", "line 30", "line 31"})
+    EXPECT_NE(all.find(line), std::string::npos) << all;
+  const Finished words = repose({"fit", table});
+  EXPECT_EQ(lines_with(words.out, "left out"), 3) << words.out;
+}
+
+TEST(Fit, RowsWithAnotherOutcomeThanCompletedAreLeftOut) {
+  const TemporaryFolder folder;
+  std::string csv = "e_pp,mu_s,mu_r,angle_deg,outcome\n";
+  for (const double mu_s : {0.2, 0.5, 0.8})
+    for (const double mu_r : {0.05, 0.2})
+      csv += fmt::format("0.3,{},{},{},completed\n", mu_s, mu_r, article_angle(0.3, mu_s, mu_r));
+  const Json json =
+      Json::parse(repose({"fit", write_table(folder, csv + "0.3,0.1,0.1,,no_heap\n"), "--json"}).out);
+  EXPECT_EQ(json.at("points"), 6);
+  EXPECT_NE(json.at("excluded").at(0).at("reason").get<std::string>().find("no_heap"), std::string::npos);
+}
+
+struct BadTable {
+  std::string csv;
+  std::vector<std::string> messages;
+};
+
+TEST(Fit, EveryFaultOfATableIsNamedWithItsLine) {
+  const std::vector<BadTable> tables = {
+      {"", {"no header"}},
+      {"e_pp,mu_s,mu_r,angle_deg\n", {"no rows"}},
+      {"e_pp,mu_r,angle\n0.1,0.2,30\n", {"mu_s", "angle_deg", "missing"}},
+      {"e_pp,mu_s,mu_r,angle_deg\n0.1,zero,0.2,30\n0.1,0.3,,30\n0.1,0.3,0.1,steep\n",
+       {"line 2", "zero", "line 3", "mu_r", "line 4", "steep"}},
+      {"e_pp,mu_s,mu_r,angle_deg\n0.1,0.2,0.3\n0.1,0.2,0.3,30,7\n", {"line 2", "line 3"}},
+      {"e_pp,mu_s,mu_r,angle_deg,replicate\n0.1,0.2,0.3,30,1.5\n", {"line 2", "replicate", "1.5"}},
+      {"e_pp,mu_s,mu_s,mu_r,angle_deg\n1,1,1,1,1\n", {"twice"}},
+      {"e_pp,mu_s,mu_r,angle_deg\n0.3,0.2,0.1,30\n0.3,0.4,0.1,33\n", {"points"}},
+      {"e_pp,mu_s,mu_r,angle_deg\n0.3,0.2,0.1,\n", {"no angle"}},
+  };
+  for (const BadTable& bad : tables) {
+    const TemporaryFolder folder;
+    const Finished run = repose({"fit", write_table(folder, bad.csv)});
+    EXPECT_EQ(run.code, 2) << bad.csv;
+    EXPECT_EQ(run.out, "") << bad.csv;
+    for (const std::string& message : bad.messages)
+      EXPECT_NE(run.err.find(message), std::string::npos) << message << " in\n" << run.err;
+  }
+}
+
+TEST(Fit, AMissingTableAndASavedFitAreFaults) {
+  const TemporaryFolder folder;
+  const std::string nothing = (folder / "nothing.csv").string();
+  const Finished missing = repose({"fit", nothing});
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_NE(missing.err.find(nothing), std::string::npos);
+  write_text(folder / "fit.json", repose({"fit", write_table(folder, article_table()), "--json"}).out);
+  EXPECT_EQ(repose({"fit", (folder / "fit.json").string()}).code, 2);
+}
+
+TEST(Invert, FindsTheFrictionThatATableWasMadeFrom) {
+  const TemporaryFolder folder;
+  const std::string table = write_table(folder, article_table());
+  const double angle = article_angle(0.3, 0.45, 0.12);
+  const Finished run = repose({"invert", table, "--angle", fmt::format("{:.17g}", angle), "--fix",
+                               "mu_r=0.12", "e_pp=0.3", "--json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Json json = Json::parse(run.out);
+  // dμs/μs = dα/(c α), so that 1e-6 in the exponents is about 1e-5 in μs.
+  EXPECT_NEAR(json.at("solution").at("mu_s").get<double>(), 0.45, 0.45e-5);
+  EXPECT_EQ(json.at("identifiable"), true);
+}
+
+TEST(Invert, LevelSetGivesTheAngleEverywhereAndStaysInTheDomain) {
+  const TemporaryFolder folder;
+  const std::string table = write_table(folder, article_table());
+  const Finished run =
+      repose({"invert", table, "--angle", "38", "--sigma", "1", "--fix", "e_pp=0.3", "--json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Json json = Json::parse(run.out);
+  ASSERT_GE(json.at("level_set").size(), 2U);
+  for (const Json& at : json.at("level_set")) {
+    const double mu_s = at.at("mu_s");
+    const double mu_r = at.at("mu_r");
+    EXPECT_NEAR(article_angle(0.3, mu_s, mu_r), 38.0, 1e-3);
+    EXPECT_GE(mu_s, 0.2 * (1.0 - 1e-12));
+    EXPECT_LE(mu_s, 0.8 * (1.0 + 1e-12));
+    EXPECT_LE(at.at("mu_s_band").at(0).get<double>(), mu_s);
+    EXPECT_GE(at.at("mu_s_band").at(1).get<double>(), mu_s);
+  }
+  EXPECT_EQ(json.at("identifiable"), false) << "one angle does not fix two values";
+}
+
+TEST(Invert, ASavedFitGivesWhatItsTableGives) {
+  const TemporaryFolder folder;
+  const std::string table = write_table(folder, article_table());
+  write_text(folder / "fit.json", repose({"fit", table, "--json"}).out);
+  const std::vector<std::string> question = {"--angle", "36",       "--sigma", "0.5",
+                                             "--fix",   "mu_r=0.1", "--json"};
+  const auto solution_of = [&](const std::string& source) {
+    std::vector<std::string> arguments = {"invert", source};
+    arguments.insert(arguments.end(), question.begin(), question.end());
+    const Finished run = repose(arguments);
+    EXPECT_EQ(run.code, 0) << run.err;
+    return Json::parse(run.out).at("solution").at("mu_s").get<double>();
+  };
+  const double from_table = solution_of(table);
+  EXPECT_NEAR(solution_of((folder / "fit.json").string()), from_table, 1e-12 * from_table);
+}
+
+TEST(Invert, AnAngleOutOfReachNamesTheReachableRange) {
+  const TemporaryFolder folder;
+  const std::string table = write_table(folder, article_table());
+  const Finished run = repose({"invert", table, "--angle", "60", "--fix", "e_pp=0.3", "--json"});
+  EXPECT_EQ(run.code, 2);
+  const Json json = Json::parse(run.out);
+  EXPECT_NEAR(json.at("reachable_deg").at(0).get<double>(), article_angle(0.3, 0.2, 0.05), 1e-3);
+  EXPECT_NEAR(json.at("reachable_deg").at(1).get<double>(), article_angle(0.3, 0.8, 0.2), 1e-3);
+  EXPECT_NE(run.err.find("46."), std::string::npos) << "the upper end, 46.4°, in words: " << run.err;
+}
+
+TEST(Invert, BadQuestionsAreRefusedWhole) {
+  const TemporaryFolder folder;
+  const std::string table = write_table(folder, article_table());
+  const Finished run =
+      repose({"invert", table, "--angle", "-5", "--sigma", "-1", "--fix", "mu_q=1", "mu_r", "mu_s=a"});
+  EXPECT_EQ(run.code, 2);
+  for (const std::string word : {"--angle", "--sigma", "mu_q=1", "--fix: mu_r:", "mu_s=a"})
+    EXPECT_NE(run.err.find(word), std::string::npos) << word << " in\n" << run.err;
+  for (const std::string outside : {"mu_r=0.5", "e_pp=0.99"}) {
+    const Finished refused = repose({"invert", table, "--angle", "35", "--fix", outside});
+    EXPECT_EQ(refused.code, 2) << outside << refused.out;
+  }
+}
+
+}  // namespace
+}  // namespace repose::test

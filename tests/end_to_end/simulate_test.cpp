@@ -1,0 +1,178 @@
+// repose simulate: one slump test from the command line.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "end_to_end/repose_program.hpp"
+
+namespace repose::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A result without what depends on the machine's speed.
+Json without_cpu_time(const std::string& text) {
+  Json json = Json::parse(text);
+  json.at("cost").erase("cpu_s");
+  return json;
+}
+
+TEST(Simulate, GivesOneJsonObjectWithEveryKeyOfTheContract) {
+  const TemporaryFolder folder;
+  const Finished run = repose({"simulate", write_case(folder, tiny_case()), "--json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Json json = Json::parse(run.out);
+  EXPECT_EQ(json.at("outcome"), "completed");
+  EXPECT_TRUE(json.at("reason").is_string());
+  const double angle = json.at("angle_of_repose_deg");
+  ASSERT_EQ(json.at("angles_deg").size(), 4U);
+  double sum = 0.0;
+  for (const double flank : json.at("angles_deg")) sum += flank;
+  // α = (α1 + … + α4) / 4, article eq. 12; the tolerance is that of printing with 17 digits.
+  EXPECT_NEAR(angle, sum / 4.0, 1e-12 * angle);
+  EXPECT_GT(angle, 3.0);
+  EXPECT_LT(angle, 60.0);
+  EXPECT_GT(json.at("angle_standard_error_deg").get<double>(), 0.0);
+  const Json& responses = json.at("responses");
+  EXPECT_GT(responses.at("mass_on_base_kg").get<double>(), 0.0);
+  EXPECT_LE(responses.at("mass_on_base_kg").get<double>(), 0.0251);
+  EXPECT_GT(responses.at("peak_height_mm").get<double>(), 5.0);
+  // A random packing of equal spheres fills between 0.5 and 0.74 of a volume; walls loosen it further.
+  EXPECT_GT(responses.at("bulk_density_kg_m3").get<double>(), 0.45 * 2500.0);
+  EXPECT_LT(responses.at("bulk_density_kg_m3").get<double>(), 0.74 * 2500.0);
+  EXPECT_GT(responses.at("rest_time_s").get<double>(), 0.0);
+  const Json& cost = json.at("cost");
+  EXPECT_GT(cost.at("cpu_s").get<double>(), 0.0);
+  EXPECT_GT(cost.at("steps").get<long>(), 1000);
+  // Δt = 0.3 π R √(ρ/G) / (0.163 ν + 0.8766), article eq. 9, by hand for R = 2.5 mm.
+  const double step = 0.3 * M_PI * 0.002 * std::sqrt(2500.0 / 2e6) / (0.163 * 0.25 + 0.8766);
+  EXPECT_NEAR(cost.at("time_step_s").get<double>(), step, 1e-3 * step);
+  // 25 g of spheres of 4 mm and 2500 kg/m³ are 298.4 of them.
+  EXPECT_NEAR(json.at("bodies").get<double>(), 298.4, 1.0);
+  EXPECT_EQ(json.at("spheres"), json.at("bodies"));
+  EXPECT_EQ(json.at("seed"), 1);
+  EXPECT_EQ(json.at("run_key").get<std::string>().size(), 32U);
+}
+
+TEST(Simulate, ShowsStageTimeAndEnergyWhileItRunsUnlessQuiet) {
+  const TemporaryFolder folder;
+  const std::string file = write_case(folder, tiny_case());
+  const Finished loud = repose({"simulate", file});
+  EXPECT_EQ(loud.code, 0);
+  EXPECT_NE(loud.err.find("pour"), std::string::npos) << loud.err;
+  EXPECT_NE(loud.err.find("kinetic energy"), std::string::npos) << loud.err;
+  EXPECT_NE(loud.out.find("angle of repose"), std::string::npos) << loud.out;
+  EXPECT_EQ(repose({"simulate", file, "--quiet"}).err, "");
+}
+
+TEST(Simulate, IsAFunctionOfCaseAndSeed) {
+  const TemporaryFolder folder;
+  const std::string file = write_case(folder, tiny_case());
+  const Finished first = repose({"simulate", file, "--seed", "5", "--json"});
+  const Finished again = repose({"simulate", file, "--seed", "5", "--json"});
+  const Finished other = repose({"simulate", file, "--seed", "6", "--json"});
+  EXPECT_EQ(without_cpu_time(first.out), without_cpu_time(again.out));
+  EXPECT_NE(Json::parse(first.out).at("run_key"), Json::parse(other.out).at("run_key"));
+  EXPECT_NE(Json::parse(first.out).at("angle_of_repose_deg"),
+            Json::parse(other.out).at("angle_of_repose_deg"));
+}
+
+TEST(Simulate, SetByFactorAndByPointerAreTheSameAndChangeTheRunsKey) {
+  const TemporaryFolder folder;
+  const std::string file = write_case(folder, tiny_case());
+  const Finished plain = repose({"simulate", file, "--json"});
+  const Finished factor = repose({"simulate", file, "--set", "mu_s=0.8", "mu_r=0.02", "--json"});
+  const Finished pointer =
+      repose({"simulate", file, "--set", "/contact/particle_particle/static_friction=0.8", "--set",
+              "/contact/particle_particle/rolling_friction=0.02", "--json"});
+  EXPECT_EQ(without_cpu_time(factor.out), without_cpu_time(pointer.out));
+  EXPECT_NE(Json::parse(plain.out).at("run_key"), Json::parse(factor.out).at("run_key"));
+}
+
+TEST(Simulate, OutHoldsResultHeapAndPicture) {
+  const TemporaryFolder folder;
+  const fs::path out = folder / "deep/er";
+  const Finished run = repose({"simulate", write_case(folder, tiny_case()), "--out", out.string(), "--json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(Json::parse(text_of(out / "result.json")), Json::parse(run.out));
+  EXPECT_NE(text_of(out / "heap.dump").find("ITEM: ATOMS"), std::string::npos);
+  for (const char* name : {"heap_spheres.vtp", "heap_bodies.vtp", "heap_walls.vtp"})
+    EXPECT_NE(text_of(out / name).find("PolyData"), std::string::npos) << name;
+  for (const char* name : {"profile.png", "heap.png"})
+    EXPECT_TRUE(text_of(out / name).starts_with("\x89PNG")) << name;
+}
+
+TEST(Simulate, FramesMakeASeriesOfThatLength) {
+  const TemporaryFolder folder;
+  const fs::path out = folder / "film";
+  const Finished run =
+      repose({"simulate", write_case(folder, tiny_case()), "--frames", "7", "--out", out.string()});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(lines_with(text_of(out / "film_spheres.pvd"), "<DataSet"), 7);
+}
+
+TEST(Simulate, RunThatDoesNotCompleteEndsWithThreeAndItsReason) {
+  const TemporaryFolder folder;
+  Json json = tiny_case();
+  json["numerics"]["stage_time_limit_s"] = 0.002;
+  const Finished run = repose({"simulate", write_case(folder, json), "--json"});
+  EXPECT_EQ(run.code, 3);
+  const Json result = Json::parse(run.out);
+  EXPECT_EQ(result.at("outcome"), "timed_out");
+  EXPECT_NE(result.at("reason"), "");
+  EXPECT_TRUE(result.at("angle_of_repose_deg").is_null());
+}
+
+TEST(Simulate, CtrlCEndsItInOrderWith130) {
+  const TemporaryFolder folder;
+  Json json = tiny_case();
+  json["particles"]["shear_modulus_Pa"] = 5e11;  // a thousand times as many steps
+  Process run(REPOSE_PROGRAM, {"simulate", write_case(folder, json), "--json"});
+  ASSERT_TRUE(eventually([&] { return run.err_so_far().find("pour") != std::string::npos; }));
+  run.send(SIGINT);
+  const Finished finished = run.wait();
+  EXPECT_EQ(finished.code, 130);
+  EXPECT_EQ(Json::parse(finished.out).at("outcome"), "interrupted");
+}
+
+TEST(Simulate, EveryFaultOfCaseAndOptionsComesAtOnceAndNothingIsWritten) {
+  const TemporaryFolder folder;
+  Json json = tiny_case();
+  json["particles"]["density_kg_m3"] = -1;
+  json["contact"]["particle_particle"]["restitution"] = 1.5;
+  json["test"]["colour"] = "red";
+  const std::string file = write_case(folder, json);
+  const fs::path out = folder / "out";
+  const Finished run = repose({"simulate", file, "--out", out.string(), "--set", "mu_q=1", "--frames", "-3",
+                               "--seed", "-1", "--json"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find(file + ": /particles/density_kg_m3 = -1: must be > 0"), std::string::npos)
+      << run.err;
+  EXPECT_NE(run.err.find("/contact/particle_particle/restitution = 1.5"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("/test/colour"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("mu_q"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("--frames"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("--seed: -1"), std::string::npos) << run.err;
+  EXPECT_EQ(Json::parse(run.out).at("faults").size(), 6U) << run.out;
+  EXPECT_FALSE(fs::exists(out));
+}
+
+TEST(Simulate, FolderThatCannotBeWrittenIsSaidBeforeTheRun) {
+  const TemporaryFolder folder;
+  const std::string file = write_case(folder, tiny_case());
+  const Finished run = repose({"simulate", file, "--out", file + "/below"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("cannot be written"), std::string::npos) << run.err;
+  EXPECT_EQ(lines_with(run.err, "pour"), 0) << "it must not have run";
+}
+
+TEST(Simulate, FramesNeedAFolder) {
+  const TemporaryFolder folder;
+  const Finished run = repose({"simulate", write_case(folder, tiny_case()), "--frames", "3"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("needs --out"), std::string::npos) << run.err;
+}
+
+}  // namespace
+}  // namespace repose::test

@@ -1,0 +1,87 @@
+// What the program says of itself, and what it answers to a command line that it cannot follow.
+
+#include <gtest/gtest.h>
+
+#include "end_to_end/repose_program.hpp"
+
+namespace repose::test {
+namespace {
+
+const std::vector<std::string> kVerbs = {"calibrate", "simulate", "sweep",  "status", "export",
+                                         "merge",     "fit",      "invert", "report"};
+
+TEST(Usage, HelpNamesEveryVerb) {
+  const Finished help = repose({"--help"});
+  EXPECT_EQ(help.code, 0);
+  for (const std::string& verb : kVerbs) EXPECT_NE(help.out.find("\n  " + verb), std::string::npos) << verb;
+}
+
+TEST(Usage, EveryVerbHasHelpAndTakesJsonAndQuiet) {
+  for (const std::string& verb : kVerbs) {
+    const Finished help = repose({verb, "--help"});
+    EXPECT_EQ(help.code, 0) << verb;
+    EXPECT_NE(help.out.find("--json"), std::string::npos) << verb;
+    EXPECT_NE(help.out.find("--quiet"), std::string::npos) << verb;
+    EXPECT_EQ(help.err, "") << verb;
+  }
+}
+
+TEST(Usage, VersionNamesTheEngine) {
+  const Finished version = repose({"--version"});
+  EXPECT_EQ(version.code, 0);
+  EXPECT_TRUE(version.out.starts_with("repose 0.")) << version.out;
+  EXPECT_NE(version.out.find("engine"), std::string::npos);
+}
+
+TEST(Usage, VerbsThatDoNotWorkYetAreAbsent) {
+  for (const std::string verb : {"chart", "stability"}) {
+    const Finished answer = repose({verb, "case.json", "--out", "somewhere"});
+    EXPECT_EQ(answer.code, 2);
+    EXPECT_NE(answer.err.find("there is no verb '" + verb + "'"), std::string::npos) << answer.err;
+    EXPECT_NE(answer.err.find("calibrate"), std::string::npos) << "the verbs that there are";
+  }
+}
+
+struct BadUsage {
+  std::vector<std::string> arguments;
+  std::string message;  ///< that standard error must hold
+};
+
+TEST(Usage, BadUsageEndsWithTwoAndSaysWhatIsWrong) {
+  const std::vector<BadUsage> cases = {
+      {{}, "subcommand is required"},
+      {{"--nonsense"}, "--nonsense"},
+      {{"simulate"}, "CASE is required"},
+      {{"simulate", "a.json", "--seed", "first"}, "--seed"},
+      {{"simulate", "a.json", "--frames", "many"}, "--frames"},
+      {{"simulate", "a.json", "--unknown"}, "--unknown"},
+      {{"sweep", "a.json"}, "--out is required"},
+      {{"sweep", "a.json", "--out", "b", "--threads", "two"}, "--threads"},
+      {{"status"}, "DIR is required"},
+      {{"export", "study"}, "--csv is required"},
+      {{"merge", "a", "b"}, "--into is required"},
+      {{"fit"}, "SOURCE is required"},
+      {{"fit", "a.csv", "--loss", "huber"}, "minimax"},
+      {{"invert", "a.csv"}, "--angle is required"},
+      {{"invert", "a.csv", "--angle", "steep"}, "--angle"},
+      {{"calibrate", "a.json", "--out", "b"}, "--angle is required"},
+      {{"calibrate", "a.json", "--angle", "30"}, "--out is required"},
+      {{"report"}, "DIR is required"},
+  };
+  for (const BadUsage& bad : cases) {
+    const Finished answer = repose(bad.arguments);
+    const std::string shown = ::testing::PrintToString(bad.arguments);
+    EXPECT_EQ(answer.code, 2) << shown;
+    EXPECT_EQ(answer.out, "") << shown;
+    EXPECT_NE(answer.err.find(bad.message), std::string::npos) << shown << "\n" << answer.err;
+  }
+}
+
+TEST(Usage, WithJsonBadUsageIsOneObjectToo) {
+  const Finished answer = repose({"sweep", "--json", "nothing.json"});
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_NE(Json::parse(answer.out).at("error").get<std::string>().find("--out"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace repose::test

@@ -1,0 +1,111 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "engine/base/input_error.hpp"
+#include "engine/shape/clump.hpp"
+
+namespace repose {
+namespace {
+
+using ::testing::HasSubstr;
+
+class ClumpFile : public ::testing::Test {
+ protected:
+  std::filesystem::path file_ =
+      std::filesystem::temp_directory_path() /
+      (std::string("repose_") + ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".json");
+  void TearDown() override { std::filesystem::remove(file_); }
+
+  std::string faults_of(const std::string& text) {
+    std::ofstream(file_) << text;
+    try {
+      read_clump(file_);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return {};
+  }
+};
+
+Clump two_spheres() {
+  return {.name = "pair",
+          .spheres = {{Vec3(0.001, 0, 0), 0.0013}, {Vec3(-0.001, 1e-5, 0), 0.001 / 3.0}},
+          .volume = 1.0e-8,
+          .inertia = Vec3(3.0e-15, 4.0e-15, 5.0e-15)};
+}
+
+TEST(Clump, OfOneSphereHasTheMassPropertiesOfABall) {
+  const Clump ball = sphere_clump(0.002);
+  EXPECT_NEAR(ball.volume, 3.351032163829113e-8, 1e-22);           // 4/3 π r³
+  EXPECT_NEAR(ball.inertia.y(), 0.4 * ball.volume * 4e-6, 1e-27);  // 2/5 m r²
+  EXPECT_DOUBLE_EQ(ball.equivalent_diameter(), 0.004);
+  EXPECT_DOUBLE_EQ(ball.bounding_radius(), 0.002);
+  EXPECT_DOUBLE_EQ(ball.smallest_radius(), 0.002);
+}
+
+TEST_F(ClumpFile, GivesBackTheSameBits) {
+  const Clump clump = two_spheres();
+  write_clump(file_, clump, {.made_by = "by hand", .volume_error = 0.1});
+  const Clump back = read_clump(file_);
+  EXPECT_EQ(back.name, "pair");
+  ASSERT_EQ(back.spheres.size(), 2u);
+  EXPECT_EQ(back.spheres[1].centre, clump.spheres[1].centre);
+  EXPECT_EQ(back.spheres[1].radius, clump.spheres[1].radius);
+  EXPECT_EQ(back.volume, clump.volume);
+  EXPECT_EQ(back.inertia, clump.inertia);
+}
+
+TEST_F(ClumpFile, WrittenForADensityIsReadForDensityOne) {
+  write_clump(file_, two_spheres(), {.density = 3886.0});
+  const Clump back = read_clump(file_);
+  EXPECT_NEAR(back.volume / 1.0e-8, 1.0, 1e-15);  // one rounding of a product and a quotient
+  EXPECT_NEAR(back.inertia.z() / 5.0e-15, 1.0, 1e-15);
+}
+
+TEST_F(ClumpFile, LeavesOutSpheresThatNothingCanTouch) {
+  write_clump(file_, two_spheres(), {.inner = {{Vec3(0.001, 0, 0), 0.0001}}});
+  EXPECT_EQ(read_clump(file_).spheres.size(), 2u);
+}
+
+TEST_F(ClumpFile, NamesEveryFaultAtOnce) {
+  const std::string faults = faults_of(R"({"schema": 2, "mass": -1, "colour": "red", "inertia": [1, 1, 3],
+    "spheres": [{"x": 0, "y": 0, "z": "a", "r": 0}, 7, {"x": 0, "y": 0, "z": 0, "r": 1, "inner": 1, "q": 2}]})");
+  EXPECT_THAT(faults, HasSubstr("/schema = 2: must be 1"));
+  EXPECT_THAT(faults, HasSubstr("/mass = -1: must be > 0"));
+  EXPECT_THAT(faults, HasSubstr("/colour = \"red\": is not a key of a clump file"));
+  EXPECT_THAT(faults, HasSubstr("/inertia = [1,1,3]: no moment may exceed the sum of the other two"));
+  EXPECT_THAT(faults, HasSubstr("/spheres/0/z = \"a\": must be a number"));
+  EXPECT_THAT(faults, HasSubstr("/spheres/0/r = 0: must be > 0"));
+  EXPECT_THAT(faults, HasSubstr("/spheres/1 = 7: must be an object"));
+  EXPECT_THAT(faults, HasSubstr("/spheres/2/inner = 1: must be true or false"));
+  EXPECT_THAT(faults, HasSubstr("/spheres/2/q = 2: is not a key"));
+}
+
+TEST_F(ClumpFile, NamesWhatIsMissing) {
+  const std::string faults = faults_of("{}");
+  EXPECT_THAT(faults, HasSubstr("/mass: is missing"));
+  EXPECT_THAT(faults, HasSubstr("/inertia: must be a list"));
+  EXPECT_THAT(faults, HasSubstr("/spheres: must be a list of at least one sphere"));
+}
+
+TEST_F(ClumpFile, FindsLengthsInMillimetres) {
+  EXPECT_THAT(faults_of(R"({"mass": 1e-9, "inertia": [1e-16, 1e-16, 1e-16],
+                            "spheres": [{"x": 0, "y": 0, "z": 0, "r": 0.62}]})"),
+              HasSubstr("does not fit the size of the spheres"));
+}
+
+TEST_F(ClumpFile, RefusesWhatIsNotAClump) {
+  EXPECT_THAT(faults_of("[1]"), HasSubstr("must be an object"));
+  EXPECT_THAT(faults_of("{\"mass\": "), HasSubstr("is not JSON"));
+  EXPECT_THAT(faults_of("{\"mass\": 1e999}"), HasSubstr("too large"));
+  EXPECT_THROW(read_clump("no_such_clump.json"), InputError);
+  EXPECT_THAT(faults_of(R"({"mass": 1, "inertia": [1, 1, 1],
+                            "spheres": [{"x": 0, "y": 0, "z": 0, "r": 1, "inner": true}]})"),
+              HasSubstr("a sphere that is not inner"));
+}
+
+}  // namespace
+}  // namespace repose

@@ -1,0 +1,50 @@
+#include <gtest/gtest.h>
+
+#include "verification/table/row.hpp"
+
+namespace repose::verification {
+namespace {
+
+struct Part {
+  const char* name;
+  Rows (*rows)();
+};
+
+/// Every row of the verification table meets its bar.
+class VerificationTable : public testing::TestWithParam<Part> {};
+
+TEST_P(VerificationTable, MeetsItsBars) {
+  const Rows rows = GetParam().rows();
+  ASSERT_FALSE(rows.empty());
+  for (const Row& row : rows)
+    EXPECT_TRUE(row.passed()) << row.test << ": theory " << row.theory << ", result " << row.result
+                              << ", error " << row.error << ", bar " << row.bar;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Rows, VerificationTable,
+    testing::Values(Part{"NormalImpacts", normal_impact_rows}, Part{"ObliqueImpacts", oblique_impact_rows},
+                    Part{"Restitution", restitution_rows}, Part{"MindlinCycles", cycle_rows},
+                    Part{"SlidingAndRolling", sliding_and_rolling_rows}, Part{"Bounces", bounce_rows},
+                    Part{"Rotation", rotation_rows}, Part{"Clumps", clump_rows}),
+    [](const testing::TestParamInfo<Part>& info) { return info.param.name; });
+
+TEST(VerificationRow, MissesItsBarWhereTheErrorIsNoNumber) {
+  Row row;
+  row.bar = 1.0;
+  row.error = std::nan("");
+  EXPECT_FALSE(row.passed());
+}
+
+TEST(VerificationRow, HoldsTheWorstPoint) {
+  Worst worst("a", "b", 0.1);
+  worst.add(1.0, 1.01);
+  worst.add(2.0, 2.3);
+  worst.add(4.0, 4.04);
+  EXPECT_EQ(worst.row().theory, 2.0);
+  EXPECT_NEAR(worst.row().error, 0.15, 1e-12);
+  EXPECT_FALSE(worst.row().passed());
+}
+
+}  // namespace
+}  // namespace repose::verification

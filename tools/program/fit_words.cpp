@@ -1,0 +1,63 @@
+#include "tools/program/fit_words.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "tools/report/study_report.hpp"
+
+namespace repose::program {
+
+namespace {
+
+constexpr std::array<const char*, 4> kNames = {"C", "a", "b", "c"};
+/// Rows of the curve that are printed; the whole of it is in --json.
+constexpr std::size_t kRows = 7;
+
+std::string point_in_words(const fit::Observation& row) {
+  std::string text = fmt::format("e_pp = {:.4g}, mu_s = {:.4g}, mu_r = {:.4g}", row.e, row.mu_s, row.mu_r);
+  return row.label.empty() ? text : row.label + " (" + text + ")";
+}
+
+std::string range_in_words(const fit::Range& range) {
+  return fmt::format("{:.4g} … {:.4g}", range.low, range.high);
+}
+
+}  // namespace
+
+std::string in_words(const fit::PowerLaw& law) {
+  std::string text = report::equation_in_words(law) + "   (degrees)\n";
+  const auto parameters = law.parameters();
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    const fit::Estimate& estimate = *parameters[i];
+    if (!estimate.identified)
+      text += fmt::format("  {} = 0: its factor does not vary\n", kNames[i]);
+    else
+      text += fmt::format("  {} = {:.4g} ± {:.2g}  (95 %: {})\n", kNames[i], estimate.value,
+                          estimate.standard_error, range_in_words(estimate.interval_95));
+  }
+  text += fmt::format("{} points, {} loss; RMS error {:.2f}°, R² {:.4f}\n", law.points, name_of(law.loss),
+                      law.rms_error, law.r_squared);
+  text += fmt::format("worst error {:.2f}° at {}\n", law.worst_error, point_in_words(law.worst_point));
+  text += fmt::format("holds for e_pp {}, mu_s {}, mu_r {}\n", range_in_words(law.domain.e),
+                      range_in_words(law.domain.mu_s), range_in_words(law.domain.mu_r));
+  for (const fit::Excluded& row : law.excluded)
+    text += fmt::format("left out: {}: {}\n", point_in_words(row.observation), row.reason);
+  for (const std::string& remark : law.remarks) text += "note: " + remark + "\n";
+  return text;
+}
+
+std::string curve_in_words(const fit::Inversion& inversion) {
+  const auto& curve = inversion.level_set;
+  const std::size_t rows = std::min(kRows, curve.size());
+  if (inversion.solution || rows == 0) return {};
+  std::string text = "    mu_s   95 % at this mu_r       mu_r   95 % at this mu_s\n";
+  for (std::size_t i = 0; i < rows; ++i) {
+    const fit::LevelPoint& at = curve[rows == 1 ? 0 : i * (curve.size() - 1) / (rows - 1)];
+    text += fmt::format("{:8.4f}   {:.4f} … {:.4f}      {:7.4f}   {:.4f} … {:.4f}\n", at.mu_s,
+                        at.mu_s_band.low, at.mu_s_band.high, at.mu_r, at.mu_r_band.low, at.mu_r_band.high);
+  }
+  return text;
+}
+
+}  // namespace repose::program

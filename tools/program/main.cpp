@@ -1,0 +1,88 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <string_view>
+
+#include "engine/run/run.hpp"
+#include "fit/errors.hpp"
+#include "tools/program/shape_verbs.hpp"
+#include "tools/program/verbs.hpp"
+
+namespace {
+
+using namespace repose;
+using namespace repose::program;
+
+/// What is wrong with the command line, in words; CLI11's own where they are clear.
+std::string usage_fault(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+  const auto verbs = app.get_subcommands([](const CLI::App*) { return true; });
+  const bool verb_given = argc > 1 && argv[1][0] != '-';
+  const bool verb_known = verb_given && std::any_of(verbs.begin(), verbs.end(), [&](const CLI::App* verb) {
+                            return verb->get_name() == argv[1];
+                          });
+  if (verb_known)
+    return fmt::format("repose {}: {}\nrepose {} --help shows how it is used", argv[1], error.what(),
+                       argv[1]);
+  std::string names;
+  for (const CLI::App* verb : verbs) names += (names.empty() ? "" : ", ") + verb->get_name();
+  if (verb_given) return fmt::format("repose: there is no verb '{}'; there are: {}", argv[1], names);
+  if (argc > 1)
+    return fmt::format("repose: there is no option '{}' before the verb; verbs: {}", argv[1], names);
+  return fmt::format("repose: {}; verbs: {}\nrepose --help says what they do", error.what(), names);
+}
+
+/// An angle that no friction within the domain gives: --json names the angles that are within reach.
+int report_unreachable(const fit::Unreachable& error, bool json) {
+  fmt::print(stderr, "{}\n", error.what());
+  if (json)
+    print_json({{"error", error.what()},
+                {"reachable_deg", {error.reachable().low, error.reachable().high}},
+                {"faults", nlohmann::ordered_json::array()}});
+  return kBadInput;
+}
+
+int run(int argc, char** argv, bool json) {
+  CLI::App app{"Repose: friction values for DEM simulations from a measured angle of repose", "repose"};
+  app.set_version_flag("--version", "repose " REPOSE_VERSION " (engine " + engine_version() + ")");
+  app.require_subcommand(1);
+  Action chosen;
+  add_calibrate(app, chosen);
+  add_simulate(app, chosen);
+  add_sweep(app, chosen);
+  add_status(app, chosen);
+  add_export(app, chosen);
+  add_merge(app, chosen);
+  add_fit(app, chosen);
+  add_invert(app, chosen);
+  add_report(app, chosen);
+  add_shape(app, chosen);
+  add_clump(app, chosen);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    return report_bad_usage(usage_fault(app, error, argc, argv), json);
+  }
+  return chosen();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const bool json =
+      std::any_of(argv + 1, argv + argc, [](std::string_view word) { return word == "--json"; });
+  try {
+    return run(argc, argv, json);
+  } catch (const InputError& error) {
+    return report_bad_input(error, json);
+  } catch (const fit::Unreachable& error) {
+    return report_unreachable(error, json);
+  } catch (const fit::Unusable& error) {
+    return report_bad_usage(error.what(), json);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "repose: {}\n", error.what());
+    if (json) print_json({{"error", error.what()}, {"faults", nlohmann::ordered_json::array()}});
+    return kMachineFault;
+  }
+}
