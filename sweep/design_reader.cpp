@@ -34,9 +34,9 @@ const std::map<DesignKind, std::set<std::string>> kKeysOfKind = {
     {DesignKind::sobol, {"factors", "runs", "scramble"}},
     {DesignKind::table, {"table"}}};
 
-class Reader {
+class DesignReader {
  public:
-  Reader(const CaseDocument& document, Faults& faults)
+  DesignReader(const CaseDocument& document, Faults& faults)
       : document_(document), sweep_(document.find("/sweep")), faults_(faults) {}
 
   Design read() {
@@ -195,6 +195,8 @@ class Reader {
 
 }  // namespace
 
-Design read_design(const CaseDocument& document, Faults& faults) { return Reader(document, faults).read(); }
+Design read_design(const CaseDocument& document, Faults& faults) {
+  return DesignReader(document, faults).read();
+}
 
 }  // namespace repose::sweep

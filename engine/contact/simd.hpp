@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <experimental/simd>
+#include <vector>
 #ifdef __AVX512F__
 #include <immintrin.h>
 #endif
@@ -49,6 +50,14 @@ REPOSE_INLINE T larger(const T& a, const T& b) {
 }
 
 inline constexpr std::size_t kSimdWidth = SimdReal::size();
+
+/// kSimdWidth values of an array from `first` on; their number is a multiple of kSimdWidth.
+REPOSE_INLINE SimdReal load(const std::vector<double>& array, std::size_t first) {
+  return SimdReal(array.data() + first, stdx::element_aligned);
+}
+REPOSE_INLINE void store(const SimdReal& value, std::vector<double>& array, std::size_t first) {
+  value.copy_to(array.data() + first, stdx::element_aligned);
+}
 
 /// Bit l is a < b in lane l.
 REPOSE_INLINE unsigned less_bits(const SimdReal& a, const SimdReal& b) {

@@ -40,9 +40,6 @@ void ContactList::Reference::resize(std::size_t entries) {
 
 namespace {
 
-SimdReal load(const std::vector<double>& array, std::size_t first) {
-  return SimdReal(array.data() + first, stdx::element_aligned);
-}
 SimdReal squared_distance(const Bodies& bodies, const std::vector<double>& x, const std::vector<double>& y,
                           const std::vector<double>& z, std::size_t first) {
   const SimdReal dx = load(bodies.x, first) - load(x, first), dy = load(bodies.y, first) - load(y, first),

@@ -8,12 +8,6 @@ namespace {
 
 using T = SimdReal;
 
-T load(const std::vector<double>& array, std::size_t first) {
-  return T(array.data() + first, stdx::element_aligned);
-}
-void store(const T& value, std::vector<double>& array, std::size_t first) {
-  value.copy_to(array.data() + first, stdx::element_aligned);
-}
 /// Offsets of kSimdWidth neighbouring records of `doubles` each.
 LaneOffsets neighbours(std::size_t first, std::size_t doubles) {
   LaneOffsets offset;

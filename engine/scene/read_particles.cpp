@@ -10,7 +10,6 @@ namespace repose {
 namespace {
 
 constexpr const char* kShapes = "/particles/shapes";
-constexpr const char* kClasses = "/particles/size_classes";
 
 /// The mean volume of the size classes by number: the size at which a sphere without a size of its own is
 /// kept.

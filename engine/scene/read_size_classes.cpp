@@ -11,8 +11,6 @@ namespace repose {
 
 namespace {
 
-constexpr const char* kClasses = "/particles/size_classes";
-
 /// Printed tables are rounded: 44.44 + 25 + 22.22 + 8.33 = 99.99 (article Table 3).
 constexpr double kPercentTolerance = 0.1;
 

@@ -9,6 +9,9 @@
 
 namespace repose {
 
+/// Where the size classes of a case stand.
+inline constexpr const char* kClasses = "/particles/size_classes";
+
 /// Density, modulus and Poisson's ratio of "/particles" or "/walls".
 Material read_material(const CheckedCase& checked, const std::string& section);
 Particles read_particles(CheckedCase& checked, ShapeCache& shapes);

@@ -28,12 +28,6 @@ std::string content_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 void check_numbers(const RawMesh& raw, const std::string& file, Faults& faults) {
   std::size_t found = 0;
   for (std::size_t f = 0; f < raw.facets.size(); ++f) {

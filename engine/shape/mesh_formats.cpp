@@ -49,12 +49,6 @@ RawMesh binary_stl(const std::string& bytes) {
   return mesh;
 }
 
-std::string lower(std::string word) {
-  std::transform(word.begin(), word.end(), word.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return word;
-}
-
 /// A coordinate; NaN where the word is no finite number, which the checks then name with its facet.
 double coordinate(const std::string& word) {
   return parse_number(word).value_or(std::numeric_limits<double>::quiet_NaN());
@@ -111,6 +105,12 @@ void add_polygon(RawMesh& mesh, const std::vector<long>& corners, const std::str
 }
 
 }  // namespace
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
 
 RawMesh parse_stl(const std::string& bytes, const std::string& file, Faults& faults) {
   const std::size_t announced = bytes.size() >= kHeader + 4 ? little_endian(&bytes[kHeader]) : 0;

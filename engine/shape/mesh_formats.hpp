@@ -16,6 +16,9 @@ struct RawMesh {
   std::string header;  ///< STL header or comments, where a unit may stand
 };
 
+/// The text with every letter from A to Z made small: keywords and extensions are read in either case.
+std::string lower(std::string text);
+
 // Each adds what is wrong with the text to `faults`, under the name `file`.
 RawMesh parse_stl(const std::string& bytes, const std::string& file, Faults& faults);
 RawMesh parse_obj(const std::string& text, const std::string& file, Faults& faults);

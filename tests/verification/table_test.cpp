@@ -11,7 +11,7 @@ struct Part {
 };
 
 /// Every row of the verification table meets its bar.
-class VerificationTable : public testing::TestWithParam<Part> {};
+class VerificationTable : public ::testing::TestWithParam<Part> {};
 
 TEST_P(VerificationTable, MeetsItsBars) {
   const Rows rows = GetParam().rows();
@@ -23,11 +23,11 @@ TEST_P(VerificationTable, MeetsItsBars) {
 
 INSTANTIATE_TEST_SUITE_P(
     Rows, VerificationTable,
-    testing::Values(Part{"NormalImpacts", normal_impact_rows}, Part{"ObliqueImpacts", oblique_impact_rows},
-                    Part{"Restitution", restitution_rows}, Part{"MindlinCycles", cycle_rows},
-                    Part{"SlidingAndRolling", sliding_and_rolling_rows}, Part{"Bounces", bounce_rows},
-                    Part{"Rotation", rotation_rows}, Part{"Clumps", clump_rows}),
-    [](const testing::TestParamInfo<Part>& info) { return info.param.name; });
+    ::testing::Values(Part{"NormalImpacts", normal_impact_rows}, Part{"ObliqueImpacts", oblique_impact_rows},
+                      Part{"Restitution", restitution_rows}, Part{"MindlinCycles", cycle_rows},
+                      Part{"SlidingAndRolling", sliding_and_rolling_rows}, Part{"Bounces", bounce_rows},
+                      Part{"Rotation", rotation_rows}, Part{"Clumps", clump_rows}),
+    [](const ::testing::TestParamInfo<Part>& info) { return info.param.name; });
 
 TEST(VerificationRow, MissesItsBarWhereTheErrorIsNoNumber) {
   Row row;

@@ -14,7 +14,7 @@ using report::FactGroup;
 
 namespace {
 
-std::vector<Fact> facts_of(const Material& material) {
+std::vector<Fact> material_facts(const Material& material) {
   return {{"density", fmt::format("{:.6g} kg/m³", material.density)},
           {"shear modulus", fmt::format("{:.4g} MPa", material.shear_modulus * 1e-6)},
           {"Poisson's ratio", fmt::format("{:.4g}", material.poisson_ratio)}};
@@ -37,15 +37,15 @@ std::string words_of(const SizeClass& size) {
   return fmt::format("{:.4g} … {:.4g} mm³", 1e9 * size.volume_min, 1e9 * size.volume_max) + share;
 }
 
-std::vector<Fact> facts_of(const Particles& particles) {
-  std::vector<Fact> facts = facts_of(particles.material);
+std::vector<Fact> particle_facts(const Particles& particles) {
+  std::vector<Fact> facts = material_facts(particles.material);
   for (const Clump& shape : particles.shapes) facts.push_back({"shape", words_of(shape)});
   for (const SizeClass& size : particles.size_classes) facts.push_back({"size", words_of(size)});
   facts.push_back({"mass", fmt::format("{:.4g} kg", particles.total_mass)});
   return facts;
 }
 
-std::vector<Fact> facts_of(const SlumpTest& test) {
+std::vector<Fact> test_facts(const SlumpTest& test) {
   const bool plane = std::isinf(test.base_radius);
   return {{"kind", std::string(choice_name(test.kind))},
           {"base", plane ? "unbounded plane"
@@ -57,7 +57,7 @@ std::vector<Fact> facts_of(const SlumpTest& test) {
           {"opened at", fmt::format("{:.4g} m/s", test.opening_speed)}};
 }
 
-std::vector<Fact> facts_of(const Numerics& numerics) {
+std::vector<Fact> numerics_facts(const Numerics& numerics) {
   const std::string step = numerics.time_step_fraction
                                ? fmt::format("{:.4g} of the Rayleigh time", *numerics.time_step_fraction)
                            : numerics.time_step ? fmt::format("{:.4g} µs", 1e6 * *numerics.time_step)
@@ -68,14 +68,14 @@ std::vector<Fact> facts_of(const Numerics& numerics) {
 }  // namespace
 
 std::vector<FactGroup> facts_of(const Scene& scene) {
-  return {{"Particles", facts_of(scene.particles)},
-          {"Walls", facts_of(scene.walls)},
+  return {{"Particles", particle_facts(scene.particles)},
+          {"Walls", material_facts(scene.walls)},
           {"Contact",
            {{"between particles, where not varied", words_of(scene.contact.particle_particle)},
             {"particle and wall", words_of(scene.contact.particle_wall)},
             {"rolling model", std::string(choice_name(scene.contact.rolling_model))}}},
-          {"Test", facts_of(scene.test)},
-          {"Numerics", facts_of(scene.numerics)}};
+          {"Test", test_facts(scene.test)},
+          {"Numerics", numerics_facts(scene.numerics)}};
 }
 
 }  // namespace repose::program

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kMostThreads = 4096;
 
-std::string in_words(const sweep::SweepProgress& progress) {
+std::string progress_in_words(const sweep::SweepProgress& progress) {
   std::string text = fmt::format("{} of {} runs done", progress.done, progress.planned);
   if (progress.failed > 0) text += fmt::format(" ({} not completed)", progress.failed);
   text += fmt::format(", {} running, {} left", progress.running, progress.left);
@@ -55,7 +55,7 @@ sweep::SweepSummary sweep_case(const SweepRequest& request, Faults faults) {
   options.stop = &watch_for_interrupt();
   options.on_finished = request.on_finished;
   options.on_progress = [&](const sweep::SweepProgress& progress) {
-    if (line.due()) line.show_now(in_words(progress));
+    if (line.due()) line.show_now(progress_in_words(progress));
   };
   return sweep::run_sweep(document, request.folder, options);
 }

@@ -45,8 +45,8 @@ void check_that_a_fit_is_possible(const std::filesystem::path& case_file, Faults
 
 /// An angle out of reach is the user's to change; that no equation was found may be due to runs that did not
 /// complete.
-int exit_code_of(const StudyAnswer& answer, const sweep::SweepSummary& summary) {
-  const int of_sweep = program::exit_code_of(summary);
+int exit_code_of_answer(const StudyAnswer& answer, const sweep::SweepSummary& summary) {
+  const int of_sweep = exit_code_of(summary);
   if (answer.law && !answer.inversion) return kBadInput;
   if (of_sweep != kDone) return of_sweep;
   return answer.inversion ? kDone : kBadInput;
@@ -82,7 +82,7 @@ int calibrate(const CalibrateOptions& options) {
   } else {
     fmt::print("{}", in_words(answer, source));
   }
-  return exit_code_of(answer, summary);
+  return exit_code_of_answer(answer, summary);
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ Json errors_json(const GeneratedClump& made) {
           {"sphericity", errors.sphericity}};
 }
 
-Json to_json(const GeneratedClump& made, double density, const Mesh& mesh) {
+Json clump_json(const GeneratedClump& made, double density, const Mesh& mesh) {
   Json json;
   json["spheres"] = Json::array();
   const auto add = [&](const Sphere& sphere, bool inner) {
@@ -105,7 +105,7 @@ Json to_json(const GeneratedClump& made, double density, const Mesh& mesh) {
   return json;
 }
 
-std::string in_words(const GeneratedClump& made, const Mesh& mesh) {
+std::string clump_in_words(const GeneratedClump& made, const Mesh& mesh) {
   const ClumpErrors& errors = made.errors;
   const MeshMeasures body = measure(mesh);
   const Vec3 extents = 1e3 * body.extents;
@@ -152,9 +152,9 @@ int one_clump(const ClumpVerbOptions& options, const ClumpOptions& wanted) {
   if (!options.mercury.empty()) write_mercury(options.mercury, made.clump, options.density);
   if (!options.picture.empty()) draw_clumps(options.picture, mesh, {made.clump});
   if (options.common.json)
-    print_json(to_json(made, options.density, mesh));
+    print_json(clump_json(made, options.density, mesh));
   else
-    fmt::print("{}", in_words(made, mesh));
+    fmt::print("{}", clump_in_words(made, mesh));
   return kDone;
 }
 

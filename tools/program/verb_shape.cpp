@@ -39,7 +39,7 @@ Json name_json(const std::string& name) {
   return name;
 }
 
-Json to_json(const ScanTable& table, const std::vector<MadeMesh>& meshes) {
+Json shape_json(const ScanTable& table, const std::vector<MadeMesh>& meshes) {
   Json json = {{"slope", table.slope},
                {"intercept_mm2", table.intercept_mm2},
                {"r_squared", table.r_squared},
@@ -131,7 +131,7 @@ int shape_verb(const ShapeOptions& options) {
   std::vector<MadeMesh> meshes;
   if (!options.meshes.empty()) meshes = make_meshes(table, options);
   if (options.common.json)
-    print_json(to_json(table, meshes));
+    print_json(shape_json(table, meshes));
   else
     print_words(table, meshes);
   return kDone;

@@ -60,7 +60,7 @@ std::string text_of(const Progress& progress) {
   return text + fmt::format("   kinetic energy {:.1e} m g d", progress.energy_ratio);
 }
 
-int exit_code_of(Outcome outcome) {
+int exit_code_of_outcome(Outcome outcome) {
   if (outcome == Outcome::completed) return kDone;
   return outcome == Outcome::interrupted ? kInterrupted : kNotCompleted;
 }
@@ -95,7 +95,7 @@ int simulate(const SimulateOptions& options) {
     fmt::print("{}", in_words(result));
     if (!options.out.empty()) fmt::print("written to {}\n", folder.string());
   }
-  return exit_code_of(result.outcome);
+  return exit_code_of_outcome(result.outcome);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ json article_equation() {
     "domain": {"e_pp": [0.05, 0.6], "mu_s": [0.1, 0.8], "mu_r": [0.01, 0.2]}})");
 }
 
-std::string message_of(const json& root) {
+std::string reading_message(const json& root) {
   try {
     power_law_from_json(root, "fit.json");
   } catch (const Unusable& error) {
@@ -105,7 +105,7 @@ TEST(FitJson, NamesEveryFaultOfASavedFitAtOnce) {
   root["domain"]["e_pp"] = {0, 0.6};
   root["degrees_of_freedom"] = 0;
   root["covariance"] = json::array({1, 2});
-  EXPECT_EQ(message_of(root),
+  EXPECT_EQ(reading_message(root),
             "fit.json: /b: is missing\n"
             "fit.json: /c = \"0.25\": must be a number\n"
             "fit.json: /C = -1: must be > 0\n"
@@ -113,11 +113,11 @@ TEST(FitJson, NamesEveryFaultOfASavedFitAtOnce) {
             "fit.json: /domain/e_pp = [0,0.6]: must be > 0 where the exponent is identified\n"
             "fit.json: /covariance = [1,2]: must be 4 rows of 4 numbers\n"
             "fit.json: /degrees_of_freedom = 0: must be > 0");
-  EXPECT_EQ(message_of(json::array()), "fit.json: must be the JSON object of a saved fit");
+  EXPECT_EQ(reading_message(json::array()), "fit.json: must be the JSON object of a saved fit");
   root = article_equation();
   root["loss"] = "huber";
   root["identified"]["a"] = false;
-  EXPECT_EQ(message_of(root),
+  EXPECT_EQ(reading_message(root),
             "fit.json: /a = 0.01: must be 0 where it is not identified\n"
             "fit.json: /loss = \"huber\": must be least-squares or minimax");
 }

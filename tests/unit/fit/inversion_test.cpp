@@ -20,7 +20,7 @@ PowerLaw noisy_law(std::uint64_t seed, double deviation = 1.0) {
   return fit_power_law(table);
 }
 
-std::string message_of(const PowerLaw& law, const Question& question) {
+std::string inversion_message(const PowerLaw& law, const Question& question) {
   try {
     invert(law, question);
   } catch (const Unusable& error) {
@@ -174,14 +174,14 @@ TEST(Inversion, ReachesTheCornersOfTheDomain) {
 
 TEST(Inversion, RejectsEveryFaultOfAQuestionAtOnce) {
   const PowerLaw law = fit_power_law(article_table());
-  EXPECT_EQ(message_of(law, {.angle = 95.0, .sigma = -1.0, .e = 0.9, .mu_r = 0.01}),
+  EXPECT_EQ(inversion_message(law, {.angle = 95.0, .sigma = -1.0, .e = 0.9, .mu_r = 0.01}),
             "angle = 95 deg: must be > 0 and < 90\n"
             "sigma = -1 deg: must be >= 0\n"
             "e_pp = 0.9: outside the domain of the fit, 0.1 ... 0.5\n"
             "mu_r = 0.01: outside the domain of the fit, 0.05 ... 0.2");
-  EXPECT_EQ(message_of(law, {.angle = 33.0, .mu_s = 0.4, .mu_r = 0.1}),
+  EXPECT_EQ(inversion_message(law, {.angle = 33.0, .mu_s = 0.4, .mu_r = 0.1}),
             "mu_s and mu_r are both fixed: nothing is left to solve for");
-  EXPECT_EQ(message_of(law, {.angle = std::nan(""), .mu_s = std::nan("")}),
+  EXPECT_EQ(inversion_message(law, {.angle = std::nan(""), .mu_s = std::nan("")}),
             "angle = nan deg: must be > 0 and < 90\n"
             "mu_s = nan: outside the domain of the fit, 0.2 ... 0.8");
 }
@@ -197,7 +197,7 @@ TEST(Inversion, SolvesForTheOnlyFrictionThatWasSwept) {
   EXPECT_EQ(answer.solution->value.mu_r, 0.1);
   EXPECT_TRUE(answer.identifiable);
   EXPECT_EQ(answer.level_set.size(), 1U);
-  EXPECT_EQ(message_of(law, {.angle = 33.0, .mu_s = 0.3}),
+  EXPECT_EQ(inversion_message(law, {.angle = 33.0, .mu_s = 0.3}),
             "mu_s and mu_r are both fixed: nothing is left to solve for");
 }
 
@@ -206,7 +206,7 @@ TEST(Inversion, NeedsAFrictionThatWasSwept) {
   for (const Observation& row : article_table()) {
     if (row.mu_r == 0.1 && row.mu_s == 0.4) table.push_back(row);
   }
-  EXPECT_EQ(message_of(fit_power_law(table), {.angle = 33.0}),
+  EXPECT_EQ(inversion_message(fit_power_law(table), {.angle = 33.0}),
             "neither mu_s nor mu_r varies in the table: there is no friction to solve for");
 }
 

@@ -15,7 +15,7 @@ using test::article_angle;
 using test::article_table;
 using test::Noise;
 
-std::string message_of(const std::vector<Observation>& table) {
+std::string fit_message(const std::vector<Observation>& table) {
   try {
     fit_power_law(table);
   } catch (const Unusable& error) {
@@ -194,32 +194,32 @@ TEST(PowerLawFit, AFactorAtZeroThroughoutDoesNoHarm) {
 }
 
 TEST(PowerLawFit, SaysWhyATableCannotBeFitted) {
-  EXPECT_EQ(message_of({}), "nothing to fit: the table has no rows");
+  EXPECT_EQ(fit_message({}), "nothing to fit: the table has no rows");
 
   std::vector<Observation> table = article_table();
   for (Observation& row : table) row.exclusion = "timed_out";
   table[0].exclusion = "no_heap";
-  EXPECT_EQ(message_of(table),
+  EXPECT_EQ(fit_message(table),
             "nothing to fit: none of the 27 rows can be used:\n  1 x no_heap\n  26 x timed_out");
 
   table = article_table();
   table.resize(4);  // mu_s 0.2, mu_r 0.05, 0.1, 0.2; mu_s 0.4
-  EXPECT_EQ(message_of(table), "fitted");
+  EXPECT_EQ(fit_message(table), "fitted");
   table.resize(3);
-  EXPECT_EQ(message_of(table), "fitted");
+  EXPECT_EQ(fit_message(table), "fitted");
   table.resize(2);
-  EXPECT_EQ(message_of(table),
+  EXPECT_EQ(fit_message(table),
             "too few points: 2 distinct points cannot determine C and the exponents of mu_r, "
             "at least 3 are needed");
 
   table = std::vector<Observation>(5, article_table().front());
-  EXPECT_EQ(message_of(table),
+  EXPECT_EQ(fit_message(table),
             "too few points: 1 distinct point cannot determine C alone (no factor varies), "
             "at least 2 are needed");
 
   table = article_table();
   for (Observation& row : table) row.mu_r = 0.25 * row.mu_s;
-  EXPECT_NE(message_of(table).find("only vary together"), std::string::npos);
+  EXPECT_NE(fit_message(table).find("only vary together"), std::string::npos);
 }
 
 TEST(PowerLawFit, EqualAnglesHaveNoRSquared) {

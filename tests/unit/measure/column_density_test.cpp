@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kDensity = 2500.0;
 
-void add_sphere_body(HeapSnapshot& column, const Vec3& centre, double radius) {
+void add_dense_sphere(HeapSnapshot& column, const Vec3& centre, double radius) {
   BodySnapshot body;
   body.position = centre;
   body.volume = 4.0 / 3.0 * kPi * radius * radius * radius;
@@ -25,7 +25,7 @@ HeapSnapshot cubic_stack(int n, int layers, double r) {
   for (int k = 0; k < layers; ++k) {
     for (int j = 0; j < n; ++j) {
       for (int i = 0; i < n; ++i) {
-        add_sphere_body(column, {(2 * i - n + 1) * r, (2 * j - n + 1) * r, (2 * k + 1) * r}, r);
+        add_dense_sphere(column, {(2 * i - n + 1) * r, (2 * j - n + 1) * r, (2 * k + 1) * r}, r);
       }
     }
   }
@@ -82,11 +82,11 @@ TEST(ColumnDensity, AgreesWithAQuadratureOverDiscsForVariedSpheres) {
   for (int k = 0; k < 40; ++k) {
     for (int j = 0; j < 5; ++j) {
       const double r = random.uniform(0.002, 0.004);
-      add_sphere_body(column, {0.008 * (j - 2), random.uniform(-0.001, 0.001), 0.004 + 0.0065 * k}, r);
+      add_dense_sphere(column, {0.008 * (j - 2), random.uniform(-0.001, 0.001), 0.004 + 0.0065 * k}, r);
     }
   }
   // A level top: five equal spheres whose highest point is the column's height, 0.268 m.
-  for (int j = 0; j < 5; ++j) add_sphere_body(column, {0.008 * (j - 2), 0.0, 0.264}, 0.004);
+  for (int j = 0; j < 5; ++j) add_dense_sphere(column, {0.008 * (j - 2), 0.0, 0.264}, 0.004);
   double mass = 0.0;
   for (const SphereSnapshot& s : column.spheres) {
     mass += kDensity * disc_quadrature(s.radius, s.centre.z(), 0.0268, 0.2144);
@@ -98,8 +98,8 @@ TEST(ColumnDensity, AgreesWithAQuadratureOverDiscsForVariedSpheres) {
 TEST(ColumnDensity, ABodyInTheAirOrOneOnTopDoesNotMoveTheSlab) {
   HeapSnapshot column = cubic_stack(6, 10, 0.004);
   const double undisturbed = column_bulk_density(column, 0.05);
-  add_sphere_body(column, {0.0, 0.0, 0.2}, 0.004);
-  add_sphere_body(column, {0.004, 0.004, 0.084}, 0.004);
+  add_dense_sphere(column, {0.0, 0.0, 0.2}, 0.004);
+  add_dense_sphere(column, {0.004, 0.004, 0.084}, 0.004);
   EXPECT_NEAR(column_bulk_density(column, 0.05), undisturbed, 1e-9 * undisturbed);
 }
 

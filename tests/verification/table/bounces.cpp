@@ -9,14 +9,14 @@ namespace repose::verification {
 
 namespace {
 
-constexpr double kBar = 1e-3;
+constexpr double kBounceBar = 1e-3;
 
 /// A dropped sphere: time of the fall, and heights of its bounces r + (h − r) e^{2k}. The law of heights is
 /// that of a contact without duration: gravity during the contact changes them by the contact's share of the
 /// flight, 3e-4 here.
 Rows falls_and_bounces() {
-  Worst fall("free fall: time until it touches", "√(2 (h − r)/g)", kBar);
-  Worst bounce("bounces 1–3 of a dropped sphere: height over the floor", "r + (h − r) e^2k", kBar);
+  Worst fall("free fall: time until it touches", "√(2 (h − r)/g)", kBounceBar);
+  Worst bounce("bounces 1–3 of a dropped sphere: height over the floor", "r + (h − r) e^2k", kBounceBar);
   const double r = 0.02, h = 0.5, dt = 2e-7;
   for (const double e : {0.8, 0.9}) {
     const Scene scene = test::scene_of({sphere_clump(r)}, {2500.0, 1e11, 0.25}, {e, 0.0, 0.0});
@@ -85,7 +85,7 @@ Rows squeezed_spheres() {
   simulation.add(body);
   // Velocities of the leapfrog stand half a step before the positions.
   Worst worst("two spheres squeezed between walls: paths over the first swing",
-              "Runge–Kutta of the equations", kBar);
+              "Runge–Kutta of the equations", kBounceBar);
   const auto start = y;
   std::array<double, 2> low{y[0], y[1]}, high = low;
   struct Point {

@@ -6,8 +6,8 @@ namespace repose::verification {
 
 namespace {
 
-constexpr double kBar = 1e-9;
-constexpr const char* kSource = "Mindlin & Deresiewicz 1953; Thornton & Randall 1988";
+constexpr double kCycleBar = 1e-9;
+constexpr const char* kCycleSource = "Mindlin & Deresiewicz 1953; Thornton & Randall 1988";
 
 LawParameters elastic_law(double friction) {
   const ElasticSide side{1e9, 0.3};
@@ -34,9 +34,10 @@ double closed_path(RandomStream& random, test::LedContact& contact, bool turned,
 }  // namespace
 
 Rows cycle_rows() {
-  Worst still("300 closed Mindlin cycles: energy created over the work", kSource, kBar);
-  Worst turned("300 closed Mindlin cycles in a turning plane: energy created over the work", kSource, kBar);
-  Worst frame("the same cycles turned and boosted: forces", "the same in every frame", kBar);
+  Worst still("300 closed Mindlin cycles: energy created over the work", kCycleSource, kCycleBar);
+  Worst turned("300 closed Mindlin cycles in a turning plane: energy created over the work", kCycleSource,
+               kCycleBar);
+  Worst frame("the same cycles turned and boosted: forces", "the same in every frame", kCycleBar);
   for (std::uint64_t path = 0; path < 300; ++path) {
     RandomStream choice(11, path);
     const LawParameters law = elastic_law(choice.uniform(0.05, 2.0));

@@ -5,7 +5,7 @@ namespace repose::verification {
 
 namespace {
 
-constexpr const char* kSource = "Chung & Ooi 2011";
+constexpr const char* kNormalSource = "Chung & Ooi 2011";
 
 struct Published {
   const char* name;
@@ -27,7 +27,7 @@ Rows two_spheres() {
     impact.other_velocity = {-10.0, 0.0, 0.0};
     const Impact::Result result = impact.run();
     Worst worst(std::string("1: two elastic spheres, ") + p.name + ": force, overlap, duration, speed",
-                kSource, 5e-3);
+                kNormalSource, 5e-3);
     worst.add(p.F_max, result.F_max);
     worst.add(p.overlap, result.overlap_max);
     worst.add(p.duration, result.duration);
@@ -50,7 +50,7 @@ Rows sphere_on_wall() {
     impact.velocity = {0.2, 0.0, 0.0};
     const Impact::Result result = impact.run();
     Worst worst(std::string("2: elastic sphere on a wall, ") + p.name + ": force, overlap, duration, speed",
-                kSource, 5e-3);
+                kNormalSource, 5e-3);
     worst.add(p.F_max, result.F_max);
     worst.add(p.overlap, result.overlap_max);
     worst.add(p.duration, result.duration);
@@ -66,8 +66,8 @@ Rows damped_sphere_on_wall() {
   for (const Published& p :
        {Published{"aluminium oxide", elastic_material(380e9, 0.23, 4000.0), 615.35, 0.0, 6.105e-6},
         Published{"cast iron", elastic_material(100e9, 0.25, 7000.0), 506.76, 0.0, 12.97e-6}}) {
-    Worst worst(std::string("3: damped sphere on a wall, ") + p.name + ": rebound, force, duration", kSource,
-                5e-3);
+    Worst worst(std::string("3: damped sphere on a wall, ") + p.name + ": rebound, force, duration",
+                kNormalSource, 5e-3);
     for (double e = 0.2; e < 1.05; e += 0.1) {
       Impact impact;
       impact.body = sphere_clump(2.5e-3);

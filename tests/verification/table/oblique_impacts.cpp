@@ -7,9 +7,9 @@ namespace repose::verification {
 
 namespace {
 
-constexpr const char* kSource = "Chung & Ooi 2011";
+constexpr const char* kObliqueSource = "Chung & Ooi 2011";
 constexpr const char* kQuadrature = "quadrature of the contact law";
-constexpr double kBar = 5e-3;
+constexpr double kObliqueBar = 5e-3;
 
 /// The same impact by the plain planar quadrature. `slip` is the relative surface velocity along +y.
 reference::PlanarImpact quadrature_of(const Impact& impact) {
@@ -38,8 +38,9 @@ reference::PlanarImpact quadrature_of(const Impact& impact) {
 /// Test 4: a sphere on a rigid wall, 3.9 m/s at 5–85° from the normal.
 Rows angles_on_wall() {
   const double mu = 0.092, e = 0.98, v = 3.9, R = 2.5e-3;
-  Worst closed("4: oblique on a wall, sliding: tangential restitution and spin, 35–85°", kSource, kBar);
-  Worst curve("4: oblique on a wall, 5–85°: tangential speed and spin", kQuadrature, kBar);
+  Worst closed("4: oblique on a wall, sliding: tangential restitution and spin, 35–85°", kObliqueSource,
+               kObliqueBar);
+  Worst curve("4: oblique on a wall, 5–85°: tangential speed and spin", kQuadrature, kObliqueBar);
   for (const double angle : {5.0, 10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 45.0, 60.0, 75.0, 85.0}) {
     const double vn = v * std::cos(radians(angle)), vt = v * std::sin(radians(angle));
     Impact impact;
@@ -65,8 +66,9 @@ Rows angles_on_wall() {
 /// vn).
 Rows tiny_sphere() {
   const double mu = 0.3, vn = 5.0, R = 1e-5;
-  Worst closed("5: tiny sphere, sliding: surface speed over the incident, x 7.5 … 14", kSource, kBar);
-  Worst curve("5: tiny sphere, x 0.5 … 14: surface speed over the incident", kQuadrature, kBar);
+  Worst closed("5: tiny sphere, sliding: surface speed over the incident, x 7.5 … 14", kObliqueSource,
+               kObliqueBar);
+  Worst curve("5: tiny sphere, x 0.5 … 14: surface speed over the incident", kQuadrature, kObliqueBar);
   for (const double x : {0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 7.5, 8.0, 9.0, 11.0, 14.0}) {
     Impact impact;
     impact.body = sphere_clump(R);
@@ -102,8 +104,8 @@ Rows spinning(bool on_sphere) {
       // alone.
       const bool clamped = damping == NormalDamping::clamped;
       const std::string name = number + named.name + (clamped ? ", clamped" : ", with tail");
-      Worst closed(name + ", sliding: surface restitution", kSource, kBar);
-      Worst curve(name + ", x 0.2 … 5: surface restitution", kQuadrature, kBar);
+      Worst closed(name + ", sliding: surface restitution", kObliqueSource, kObliqueBar);
+      Worst curve(name + ", x 0.2 … 5: surface restitution", kQuadrature, kObliqueBar);
       for (const double x : {0.2, 0.4, 0.6, 0.8, 0.95, 1.0, 1.2, 1.5, 2.0, 3.0, 5.0}) {
         const double vs = 3.5 * mu * (1.0 + e) * vn / x;
         Impact impact;
@@ -137,7 +139,7 @@ Rows equal_spins() {
   for (const Named& named : {kAluminium, Named{"copper", elastic_material(120e9, 0.35, 8900.0)}}) {
     Worst worst(
         std::string("7: equal and opposite spins, ") + named.name + ": spins kept, no tangential speed",
-        kSource, kBar);
+        kObliqueSource, kObliqueBar);
     for (const double spin : {0.175, 1.0, 5.0, 10.0, 22.86}) {
       Impact impact;
       impact.body = sphere_clump(0.1);

@@ -5,7 +5,7 @@ namespace repose::verification {
 
 namespace {
 
-constexpr double kBar = 1e-3;
+constexpr double kRollingBar = 1e-3;
 constexpr double kRadius = 0.01;
 constexpr double kStep = 2e-6;
 
@@ -37,7 +37,8 @@ struct OnFloor {
 /// within the relaxation time of the contact's spring and damper, 3e-5 s here, which u is chosen to leave
 /// small.
 Rows slip_to_roll() {
-  Worst worst("slip to roll: time, speed and distance where rolling begins", "rigid-body dynamics", kBar);
+  Worst worst("slip to roll: time, speed and distance where rolling begins", "rigid-body dynamics",
+              kRollingBar);
   for (const double friction : {0.1, 0.4})
     for (const double u : {1.0, 2.0}) {
       Simulation simulation = OnFloor(friction, 0.0, RollingModel::type_a).with({u, 0.0, 0.0}, Vec3::Zero());
@@ -59,7 +60,7 @@ Rows stop_distance() {
     Worst worst(model == RollingModel::type_a
                     ? "rolling to a stop, type_a: distance, time, speed on the way"
                     : "rolling to a stop, type_a_relative: distance, time, speed on the way",
-                "constant torque", kBar);
+                "constant torque", kRollingBar);
     for (const double rolling : {0.02, 0.1}) {
       const double u = 0.3, slowing = rolling * kGravity / 1.4;
       Simulation simulation = OnFloor(0.8, rolling, model).with({u, 0.0, 0.0}, {0.0, u / kRadius, 0.0});
@@ -86,8 +87,8 @@ Rows stop_distance() {
 /// type_c below its limit is a damped oscillator about the contact point: with I = 7/5 m R² and
 /// k_r = 2.25 k_n μr² R², θ'' + 2 η ω θ' + ω² θ = 0, ω² = k_r/I. Then it rests.
 Rows rolling_spring_oscillates() {
-  Worst motion("type_c below its limit: path of the oscillation", "damped oscillator", kBar);
-  Worst rest("type_c: speed after ten relaxation times", "comes to rest", kBar);
+  Worst motion("type_c below its limit: path of the oscillation", "damped oscillator", kRollingBar);
+  Worst rest("type_c: speed after ten relaxation times", "comes to rest", kRollingBar);
   const double mu = 0.02, eta = 0.3;
   OnFloor set(0.8, mu, RollingModel::type_c);
   set.scene.contact.rolling_damping_ratio = eta;
@@ -113,7 +114,7 @@ Rows rolling_spring_oscillates() {
 /// of the path against small steps of the same scalar equation.
 Rows rolling_spring_stops() {
   Worst worst("type_c from rolling to rest: farthest point, resting point",
-              "quadrature of the rolling spring", kBar);
+              "quadrature of the rolling spring", kRollingBar);
   const double mu = 0.05, eta = 0.3, u = 0.2;
   OnFloor set(0.8, mu, RollingModel::type_c);
   const double inertia = 1.4 * set.mass * kRadius * kRadius;
@@ -145,7 +146,7 @@ Rows rolling_spring_stops() {
 /// the sphere with g tan θ: seen from it, gravity is g/cos θ at θ from its normal.
 Rows incline() {
   Worst worst("incline at 0.5, 0.9, 1.1 and 3 times the angle of slip: path, speed, spin",
-              "rigid-body dynamics", kBar);
+              "rigid-body dynamics", kRollingBar);
   const double friction = 0.2, end = 0.2;
   for (const double part : {0.5, 0.9, 1.1, 3.0}) {
     const double tangent = part * 3.5 * friction, pull = tangent * kGravity;
