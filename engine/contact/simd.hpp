@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <experimental/simd>
 #include <vector>
-#ifdef __AVX512F__
+#ifdef __AVX__
 #include <immintrin.h>
 #endif
 
@@ -63,6 +63,9 @@ REPOSE_INLINE void store(const SimdReal& value, std::vector<double>& array, std:
 REPOSE_INLINE unsigned less_bits(const SimdReal& a, const SimdReal& b) {
 #ifdef __AVX512F__
   return _mm512_cmp_pd_mask(static_cast<__m512d>(a), static_cast<__m512d>(b), _CMP_LT_OQ);
+#elif defined(__AVX__)
+  return static_cast<unsigned>(
+      _mm256_movemask_pd(_mm256_cmp_pd(static_cast<__m256d>(a), static_cast<__m256d>(b), _CMP_LT_OQ)));
 #else
   unsigned bits = 0;
   for (std::size_t lane = 0; lane < kSimdWidth; ++lane)

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "engine/contact/simd.hpp"
-#ifdef __AVX512F__
+#ifdef __AVX__
 #include <immintrin.h>
 #endif
 
@@ -13,8 +13,8 @@ namespace repose {
 /// Records of a few doubles in memory as vectors of one field each, and back: lane l of field f is record l's
 /// field f. Reading whole records and transposing them in registers takes 32 instructions for eight records
 /// of eight doubles; gathering field by field takes 8 gathers of about 26 micro-operations each, which
-/// was 1.3 times slower over a whole run. The path for AVX-512 is written out; elsewhere the vectors are
-/// built lane by lane, with the same result.
+/// was 1.3 times slower over a whole run. The paths for AVX-512 and AVX are written out; elsewhere the
+/// vectors are built lane by lane, with the same result.
 using LaneOffsets = std::array<std::int32_t, kSimdWidth>;  ///< of each lane's record, in doubles
 using Fields8 = std::array<SimdReal, 8>;
 using Fields4 = std::array<SimdReal, 4>;
@@ -111,6 +111,79 @@ REPOSE_INLINE void store_fields4(const Fields4& f, double* base, const LaneOffse
                            _mm512_castpd512_pd256(lanes46),    _mm512_castpd512_pd256(lanes57),
                            _mm512_extractf64x4_pd(lanes46, 1), _mm512_extractf64x4_pd(lanes57, 1)};
   for (std::size_t lane = 0; lane < lanes; ++lane) _mm256_store_pd(base + offset[lane], rows[lane]);
+}
+
+#elif defined(__AVX__)
+
+/// Transposes a 4 × 4 block: two interleaves, then one exchange of halves.
+REPOSE_INLINE void transpose4(__m256d r[4]) {
+  const __m256d a = _mm256_unpacklo_pd(r[0], r[1]), b = _mm256_unpackhi_pd(r[0], r[1]);
+  const __m256d c = _mm256_unpacklo_pd(r[2], r[3]), d = _mm256_unpackhi_pd(r[2], r[3]);
+  r[0] = _mm256_permute2f128_pd(a, c, 0x20), r[1] = _mm256_permute2f128_pd(b, d, 0x20);
+  r[2] = _mm256_permute2f128_pd(a, c, 0x31), r[3] = _mm256_permute2f128_pd(b, d, 0x31);
+}
+
+/// Four neighbouring fields of each record, from `base` on.
+REPOSE_INLINE Fields4 load_fields4(const double* base, const LaneOffsets& offset) {
+  __m256d rows[4];
+  for (std::size_t lane = 0; lane < 4; ++lane) rows[lane] = _mm256_load_pd(base + offset[lane]);
+  transpose4(rows);
+  return {static_cast<SimdReal>(rows[0]), static_cast<SimdReal>(rows[1]), static_cast<SimdReal>(rows[2]),
+          static_cast<SimdReal>(rows[3])};
+}
+
+REPOSE_INLINE Fields8 load_fields8(const double* base, const LaneOffsets& offset) {
+  const Fields4 low = load_fields4(base, offset), high = load_fields4(base + 4, offset);
+  return {low[0], low[1], low[2], low[3], high[0], high[1], high[2], high[3]};
+}
+
+/// Row l holds four fields of lane l.
+struct Rows {
+  __m256d r[4];
+};
+
+REPOSE_INLINE Rows rows_of(const SimdReal* fields) {
+  Rows rows;
+  for (std::size_t f = 0; f < 4; ++f) rows.r[f] = static_cast<__m256d>(fields[f]);
+  transpose4(rows.r);
+  return rows;
+}
+
+/// Stores the first four doubles of the records of the first `lanes` lanes.
+REPOSE_INLINE void store_fields4(const Fields4& fields, double* base, const LaneOffsets& offset,
+                                 std::size_t lanes) {
+  const Rows rows = rows_of(fields.data());
+  for (std::size_t lane = 0; lane < lanes; ++lane) _mm256_store_pd(base + offset[lane], rows.r[lane]);
+}
+
+REPOSE_INLINE void store_fields8(const Fields8& fields, double* base, const LaneOffsets& offset) {
+  const Rows low = rows_of(fields.data()), high = rows_of(fields.data() + 4);
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    _mm256_store_pd(base + offset[lane], low.r[lane]);
+    _mm256_store_pd(base + offset[lane] + 4, high.r[lane]);
+  }
+}
+
+REPOSE_INLINE void add_row(double* record, const __m256d& row) {
+  _mm256_store_pd(record, _mm256_add_pd(_mm256_load_pd(record), row));
+}
+
+/// Records a and then b of each of the first `lanes` lanes are increased, lane after lane: two lanes may
+/// share a record.
+REPOSE_INLINE void add_fields8(const Fields8& a, const LaneOffsets& at_a, const Fields8& b,
+                               const LaneOffsets& at_b, double* base, std::size_t lanes) {
+  const Rows low_a = rows_of(a.data()), high_a = rows_of(a.data() + 4);
+  const Rows low_b = rows_of(b.data()), high_b = rows_of(b.data() + 4);
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    add_row(base + at_a[lane], low_a.r[lane]), add_row(base + at_a[lane] + 4, high_a.r[lane]);
+    add_row(base + at_b[lane], low_b.r[lane]), add_row(base + at_b[lane] + 4, high_b.r[lane]);
+  }
+}
+
+REPOSE_INLINE void add_fields8(const Fields8& a, const LaneOffsets& at, double* base, std::size_t lanes) {
+  const Rows low = rows_of(a.data()), high = rows_of(a.data() + 4);
+  for (std::size_t lane = 0; lane < lanes; ++lane)
+    add_row(base + at[lane], low.r[lane]), add_row(base + at[lane] + 4, high.r[lane]);
 }
 
 #else
