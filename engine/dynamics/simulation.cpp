@@ -10,9 +10,11 @@ namespace repose {
 
 namespace {
 
-/// Skins as parts of the mean particle's diameter. A larger skin lists more candidates that never touch, a
-/// smaller one lists more often; measured in tools/bench/NOTES.md.
-ContactList::Skins skins_of(const Particles& particles) {
+/// Skins: a part of the mean particle's diameter, and some steps of a body that has fallen through the
+/// cylinder, since one fast body is enough to list anew. A larger skin lists more candidates that never
+/// touch, a smaller one lists more often; measured in tools/bench/NOTES.md.
+ContactList::Skins skins_of(const Scene& scene, double dt) {
+  const Particles& particles = scene.particles;
   double volume = 0.0;
   for (const SizeClass& size : particles.size_classes)
     volume += size.number_fraction * 0.5 * (size.volume_min + size.volume_max);
@@ -20,7 +22,8 @@ ContactList::Skins skins_of(const Particles& particles) {
     for (const Clump& shape : particles.shapes)
       volume += shape.volume / static_cast<double>(particles.shapes.size());
   const double diameter = std::cbrt(6.0 * volume / kPi);
-  return {0.15 * diameter, 0.07 * diameter};
+  const double fall = std::sqrt(2.0 * kGravity * scene.test.cylinder_height) * dt;
+  return {0.15 * diameter + 7.0 * fall, 0.07 * diameter + 6.0 * fall};
 }
 
 ForceStep laws_of(const Scene& scene, double dt) {
@@ -45,7 +48,7 @@ Simulation::Simulation(const Scene& scene, double dt)
       force_step_(laws_of(scene, dt)),
       kernels_(force_kernels(scene.contact.rolling_model)),
       bodies_(scene.particles.shapes, scene.particles.material.density),
-      contacts_(skins_of(scene.particles)) {}
+      contacts_(skins_of(scene, dt)) {}
 
 bool Simulation::step() {
   if (!contacts_.update(bodies_, walls)) return false;
