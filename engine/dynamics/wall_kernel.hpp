@@ -51,12 +51,9 @@ REPOSE_INLINE void wall_block(const ForceStep& step, Bodies& bodies, ContactList
     wall[lane] = &walls[static_cast<std::size_t>(list.wall_contacts.b[c])];
   }
   const BlockSide i = load_side(bodies, list.placed, index);
-  const auto load = [first](const std::vector<double>& array) {
-    return SimdReal(array.data() + first, stdx::element_aligned);
-  };
   ContactGeometry<SimdReal> contact;
-  contact.n = {load(touching.nx), load(touching.ny), load(touching.nz)};
-  contact.overlap = load(touching.overlap);
+  contact.n = {load(touching.nx, first), load(touching.ny, first), load(touching.nz, first)};
+  contact.overlap = load(touching.overlap, first);
   contact.R_eff = i.radius;
   contact.m_eff = i.mass;
   contact.inertia_or_limit = 0.0;

@@ -1,33 +1,18 @@
 #pragma once
 
-#include <unistd.h>
-
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
 
+#include "support/process.hpp"
 #include "tools/report/report_html.hpp"
 #include "tools/report/study_report.hpp"
 
 namespace repose::report::test {
 
-/// A folder of its own, removed at the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "repose-report-XXXXXX").string();
-    path_ = mkdtemp(pattern.data());
-  }
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
+using repose::test::TemporaryFolder;
 
 /// Factorials of the article's equation with a small error that is the same on every call; `e` held at 0.3
 /// for a single value, μr at 0.1 likewise.
