@@ -44,11 +44,12 @@ struct SweepOptions {
 
 /// What one call did.
 struct SweepSummary {
-  int planned = 0;                      ///< in this call's part of the design
-  int present = 0;                      ///< stored before
-  int finished = 0;                     ///< stored by this call
-  int left = 0;                         ///< neither
-  std::map<std::string, int> outcomes;  ///< of all planned runs that are stored
+  int planned = 0;                               ///< in this call's part of the design
+  int present = 0;                               ///< stored before
+  int finished = 0;                              ///< stored by this call
+  int left = 0;                                  ///< neither
+  std::map<std::string, int> outcomes;           ///< of all planned runs that are stored
+  std::map<std::string, WarningCount> warnings;  ///< of the same, by name
   bool interrupted = false;
   double wall_s = 0.0;
   double cpu_s = 0.0;  ///< of the runs of this call

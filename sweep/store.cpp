@@ -14,7 +14,8 @@ namespace repose::sweep {
 namespace {
 
 constexpr int kApplicationId = 0x5265706f;  // "Repo" in the header of the file
-constexpr int kSchema = 1;
+/// 1: the first. 2: warnings, mass_lost_kg, reaches_edge and the diagnosis of the motion.
+constexpr int kSchema = 2;
 
 /// Names and types of the columns, and how they are bound and read: all from visit_columns.
 template <class Value>
@@ -32,13 +33,20 @@ const char* sql_type() {
     return "INTEGER NOT NULL";
 }
 
-std::string create_runs_table() {
-  std::string columns;
+/// "angle_deg REAL", one a column.
+std::vector<std::string> column_definitions() {
+  std::vector<std::string> definitions;
   StoredRun run;
   visit_columns(run, [&](const char* name, const auto& value) {
-    columns +=
-        fmt::format("{}{} {}", columns.empty() ? "" : ", ", name, sql_type<std::decay_t<decltype(value)>>());
+    definitions.push_back(fmt::format("{} {}", name, sql_type<std::decay_t<decltype(value)>>()));
   });
+  return definitions;
+}
+
+std::string create_runs_table() {
+  std::string columns;
+  for (const std::string& definition : column_definitions())
+    columns += (columns.empty() ? "" : ", ") + definition;
   return fmt::format("CREATE TABLE IF NOT EXISTS runs ({}, PRIMARY KEY (run_key))", columns);
 }
 
@@ -133,6 +141,23 @@ void create_tables(Database& database) {
   transaction.commit();
 }
 
+/// Brings a study of an older version to this one's columns. Its runs keep what they have: a text that they
+/// were made without is empty, a number is NULL.
+void migrate(Database& database) {
+  if (database.integer("PRAGMA user_version") >= kSchema) return;
+  Transaction transaction(database);
+  for (const std::string& definition : column_definitions()) {
+    const std::string name = definition.substr(0, definition.find(' '));
+    if (database.integer(
+            fmt::format("SELECT count(*) FROM pragma_table_info('runs') WHERE name = '{}'", name)) > 0)
+      continue;
+    const bool text = definition.find("TEXT") != std::string::npos;
+    database.execute(fmt::format("ALTER TABLE runs ADD COLUMN {}{}", definition, text ? " DEFAULT ''" : ""));
+  }
+  database.execute(fmt::format("PRAGMA user_version = {}", kSchema));
+  transaction.commit();
+}
+
 /// Why this database cannot be used as a study, or "".
 std::string objection_to(const Database& database) {
   if (database.integer("PRAGMA application_id") != kApplicationId)
@@ -176,6 +201,7 @@ std::unique_ptr<Database> opened(const std::filesystem::path& folder, bool creat
     if (empty && create) create_tables(*database);
     if (const std::string objection = objection_to(*database); !objection.empty())
       throw InputError(Fault{file.string(), "", "", objection});
+    migrate(*database);
     return database;
   } catch (const SqliteError& error) {
     throw refusal(file, error);

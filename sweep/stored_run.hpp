@@ -32,10 +32,17 @@ struct StoredRun {
   std::optional<double> angle_deg;  ///< the angles only for `completed`: no other angle may enter a fit
   std::optional<double> angle_standard_error_deg;
   std::array<std::optional<double>, 4> angles_deg;
+  std::string warnings;         ///< their names, joined by blanks; may be empty
+  std::string warning_details;  ///< "name: text", joined by " | "
   std::optional<double> mass_on_base_kg;
+  std::optional<double> mass_lost_kg;
   std::optional<double> peak_height_mm;
   std::optional<double> bulk_density_kg_m3;
   std::optional<double> rest_time_s;
+  std::optional<int> reaches_edge;         ///< 1 where the base's edge cuts the heap, else 0
+  std::optional<double> energy_imbalance;  ///< of the ledger at the end (EnergyLedger)
+  std::optional<double> column_overlap_ratio;
+  std::optional<double> stability_number;
   std::optional<double> cpu_s;
   std::optional<std::int64_t> steps;
   std::optional<double> time_step_s;
@@ -69,10 +76,17 @@ void visit_columns(Run& run, Visit&& visit) {
   visit("angle_2_deg", run.angles_deg[1]);
   visit("angle_3_deg", run.angles_deg[2]);
   visit("angle_4_deg", run.angles_deg[3]);
+  visit("warnings", run.warnings);
+  visit("warning_details", run.warning_details);
   visit("mass_on_base_kg", run.mass_on_base_kg);
+  visit("mass_lost_kg", run.mass_lost_kg);
   visit("peak_height_mm", run.peak_height_mm);
   visit("bulk_density_kg_m3", run.bulk_density_kg_m3);
   visit("rest_time_s", run.rest_time_s);
+  visit("reaches_edge", run.reaches_edge);
+  visit("energy_imbalance", run.energy_imbalance);
+  visit("column_overlap_ratio", run.column_overlap_ratio);
+  visit("stability_number", run.stability_number);
   visit("cpu_s", run.cpu_s);
   visit("steps", run.steps);
   visit("time_step_s", run.time_step_s);
@@ -82,7 +96,16 @@ void visit_columns(Run& run, Visit&& visit) {
   visit("finished_at", run.finished_at);
 }
 
-/// Fills outcome, reason, angles, responses, cost, version and time of finishing from a result.
+/// How many runs carry a warning, and what it says in the first of them.
+struct WarningCount {
+  int runs = 0;
+  std::string example;  ///< its text
+};
+
+/// The warnings of some runs by name.
+void count_warnings(const StoredRun& run, std::map<std::string, WarningCount>& counts);
+
+/// Fills outcome, reason, angles, warnings, responses, cost, version and time of finishing from a result.
 /// What is not finite is left empty.
 void take_result(StoredRun& run, const RunResult& result);
 

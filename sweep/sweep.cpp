@@ -85,7 +85,9 @@ SweepSummary run_sweep(const CaseDocument& document, const fs::path& folder, con
   const RunsByKey now = by_key(study.store.runs());
   for (const std::size_t index : part) {
     const auto run = now.find(plan.runs[index].key);
-    if (run != now.end()) ++summary.outcomes[run->second.outcome];
+    if (run == now.end()) continue;
+    ++summary.outcomes[run->second.outcome];
+    count_warnings(run->second, summary.warnings);
   }
   return summary;
 }
@@ -103,6 +105,7 @@ StudyStatus status_of(const fs::path& folder) {
     const auto found = stored.find(run.key);
     if (found != stored.end()) {
       ++status.outcomes[found->second.outcome];
+      count_warnings(found->second, status.warnings);
       if (!found->second.completed()) status.not_completed.push_back(found->second);
     }
     if (is_done(stored, run.key)) {

@@ -19,11 +19,12 @@ SweepSummary run_sweep(const CaseDocument& document, const std::filesystem::path
 
 /// Where a study stands. All counts are of runs.
 struct StudyStatus {
-  int planned = 0;                      ///< of the design
-  int done = 0;                         ///< of those, stored with any outcome but `failed`
-  int left = 0;                         ///< of those, still to do: missing, or `failed`
-  std::map<std::string, int> outcomes;  ///< of the planned runs that are stored
-  int outside = 0;                      ///< stored, but not of the design as it now is
+  int planned = 0;                               ///< of the design
+  int done = 0;                                  ///< of those, stored with any outcome but `failed`
+  int left = 0;                                  ///< of those, still to do: missing, or `failed`
+  std::map<std::string, int> outcomes;           ///< of the planned runs that are stored
+  std::map<std::string, WarningCount> warnings;  ///< of the same, by name
+  int outside = 0;                               ///< stored, but not of the design as it now is
   int of_other_version = 0;  ///< stored by another version of the engine, or for other instructions
   std::vector<StoredRun>
       not_completed;  ///< planned runs that ended otherwise than `completed`, with their reasons

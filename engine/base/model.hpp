@@ -13,4 +13,11 @@ enum class TangentialHistory { force, displacement };
 /// damping of Thornton et al. 2013.
 enum class NormalDamping { with_tail, clamped };
 
+/// Whether the torque of type_a and type_a_relative ends where it has stopped the rotation within a step.
+/// Without that limit its sign flips at every step of a heap at rest.
+enum class RollingTorque { limited, unlimited };
+
+/// How forces become motion (equations and orders: engine/dynamics/integrate.hpp).
+enum class Integrator { symplectic_euler, velocity_verlet, explicit_euler };
+
 }  // namespace repose

@@ -34,11 +34,37 @@ struct ContactHistory {
   Triple<T> rolling;  ///< torque of the rolling spring on i [N m]
 };
 
+/// What a contact takes from the motion of its bodies, each part where it is positive [W].
+///
+/// A step moves the bodies by v Δt with the velocity that the law is given, which belongs to the middle
+/// between the last step and this one. The springs' work over that interval is the mean of their forces at
+/// its two ends times v: exact for a linear spring, where this step's force alone would take ½ S (v Δt)² too
+/// much each time. The dampers' force f is of this step and acts from the middle of the last interval to that
+/// of the next, over which the mean velocity is v + lag F/m, with ContactTiming::lag. F/m is taken of this
+/// contact alone, m* along the normal and 2/7 m* (two solid spheres) along the tangent; what the other
+/// contacts of the bodies add averages out.
+template <class T>
+struct ContactPower {
+  T normal_damping, tangential_damping;
+  T spring;   ///< of the tangential spring, and all of a contact that slides: stored, or lost to friction
+  T rolling;  ///< of the rolling torque: stored in its spring, or dissipated
+};
+
+/// How the velocities of a contact's sides relate to the time of its geometry.
+template <class T>
+struct ContactTiming {
+  double dt = 0.0;   ///< Δt [s]
+  double lag = 0.0;  ///< Δt/2 where damping is given velocities half a step behind the geometry, else 0 [s]
+  bool booked = true;               ///< whether ContactForces::power is wanted; it is not set otherwise
+  const Triple<T>* lead = nullptr;  ///< added to the relative velocity for damping alone [m/s]; may be null
+};
+
 template <class T>
 struct ContactForces {
   Triple<T> force;           ///< on i at the contact point; on j the opposite [N]
   Triple<T> rolling_torque;  ///< on i; on j the opposite [N m]; zero under type_a
   T F_n;                     ///< total normal force, positive repulsive [N]
+  ContactPower<T> power;
 };
 
 /// Force and rolling torque of one contact, and its history brought to this step. type_a's torque, which
@@ -48,28 +74,55 @@ struct ContactForces {
 /// choices of law are uniform branches, which cost nothing measurable.
 template <RollingModel kModel, class T>
 REPOSE_INLINE ContactForces<T> contact_forces(const LawParameters& law, const ContactGeometry<T>& contact,
-                                              const ContactSide<T>& i, const ContactSide<T>& j, double dt,
-                                              ContactHistory<T>& history) {
+                                              const ContactSide<T>& i, const ContactSide<T>& j,
+                                              const ContactTiming<T>& timing, ContactHistory<T>& history) {
+  const double dt = timing.dt;
   const Triple<T> v = (i.velocity + cross(i.w, i.arm)) - (j.velocity + cross(j.w, j.arm));
   const T v_normal = dot(v, contact.n);
   const Triple<T> v_tangent = v - v_normal * contact.n;
+  T v_normal_damped = v_normal;
+  Triple<T> v_tangent_damped = v_tangent;
+  if (timing.lead != nullptr) {
+    const T along = dot(*timing.lead, contact.n);
+    v_normal_damped = v_normal + along;
+    v_tangent_damped = v_tangent + *timing.lead - along * contact.n;
+  }
   const ContactStiffness<T> stiffness = contact_stiffness(law, contact.R_eff, contact.m_eff, contact.overlap);
-  const NormalForce<T> normal = normal_force(law, stiffness, contact.overlap, v_normal);
+  const NormalForce<T> normal = normal_force(law, stiffness, contact.overlap, v_normal_damped);
 
   history.tangential.value = turned_spring(history.tangential.value, contact.n, i.w, j.w, dt);
-  const Triple<T> tangent = tangential_force(law, stiffness, normal.total, v_tangent, dt, history.tangential);
+  const TangentialForce<T> tangent =
+      tangential_force(law, stiffness, normal.total, v_tangent, v_tangent_damped, dt, history.tangential);
 
-  ContactForces<T> result{normal.total * contact.n + tangent, {T(0.0), T(0.0), T(0.0)}, normal.total};
+  ContactForces<T> result;
+  result.force = normal.total * contact.n + tangent.total;
+  result.rolling_torque = {T(0.0), T(0.0), T(0.0)};
+  result.F_n = normal.total;
+  if (timing.booked) {
+    const T per_mass = timing.lag / contact.m_eff;
+    const T damped =
+        dot(tangent.damping, v_tangent_damped) + 3.5 * per_mass * dot(tangent.damping, tangent.total);
+    result.power.normal_damping =
+        (normal.elastic - normal.total) * (v_normal_damped + per_mass * normal.total);
+    result.power.tangential_damping = select(tangent.kept < 1.0, T(0.0), damped);
+    result.power.spring =
+        (damped - result.power.tangential_damping) - 0.5 * dot(tangent.previous + tangent.spring, v_tangent);
+    result.power.rolling = T(0.0);
+  }
   if constexpr (kModel != RollingModel::type_a) {
     const double modulus = kModel == RollingModel::type_c ? (4.0 / 3.0) * law.young : 8.0 * law.shear;
     const RollingContact<T> rolling{
         contact.n,      i.w - j.w,    contact.R_eff,           modulus * stiffness.root,
         normal.elastic, normal.total, contact.inertia_or_limit};
+    Triple<T> mean;
     if constexpr (has_rolling_spring(kModel)) {
+      const Triple<T> previous = history.rolling;
       result.rolling_torque = rolling_spring<kModel>(law, rolling, dt, history.rolling);
+      mean = result.rolling_torque - T(0.5) * (history.rolling - previous);
     } else {
-      result.rolling_torque = constant_torque(law, rolling);
+      mean = result.rolling_torque = constant_torque(law, rolling);
     }
+    if (timing.booked) result.power.rolling = T(0.0) - dot(mean, rolling.w_rel);
   }
   return result;
 }

@@ -47,7 +47,7 @@ REPOSE_INLINE NormalForce<T> normal_force(const LawParameters& law, const Contac
 template <class T>
 struct TangentialSpring {
   Triple<T> value;  ///< force [N] or displacement [m], by TangentialHistory; in the contact's tangent plane
-  T root;  ///< √(R* δ) of the last step [m]; 0 for a new contact. Used by TangentialHistory::force only
+  T root;           ///< √(R* δ) of the last step [m]; 0 for a new contact
 };
 
 /// The spring of the last step, carried with the contact as the pair moves: turned with its normal and with
@@ -67,6 +67,15 @@ REPOSE_INLINE Triple<T> turned_spring(const Triple<T>& spring, const Triple<T>& 
   return square_root(T(select(after > 0.0, T(before / select(after > 0.0, after, T(1.0))), T(0.0)))) * flat;
 }
 
+template <class T>
+struct TangentialForce {
+  Triple<T> total;     ///< on i, limited by friction [N]
+  Triple<T> damping;   ///< γ_t √(S_n m*) v_t, as far as the total holds it [N]
+  Triple<T> spring;    ///< total + damping: what the spring exerts, limited [N]
+  Triple<T> previous;  ///< what the spring of the last step, turned, exerts [N]
+  T kept;              ///< below 1 where the limit acts: the contact slides
+};
+
 /// Mindlin tangential force without micro-slip, limited by Coulomb friction.
 ///   s ← s + v_t Δt (displacement)   or   s ← s min(1, a/a_old) − S_t v_t Δt (force), a = √(R* δ), S_t = 8 G*
 ///   a F_t = spring − γ_t √(S_n m*) v_t,   |F_t| ≤ μs |F_n|
@@ -77,35 +86,45 @@ REPOSE_INLINE Triple<T> turned_spring(const Triple<T>& spring, const Triple<T>& 
 /// itself, and a contact that slides is not damped (as LIGGGHTS does): with the damping's share stored as a
 /// displacement, S_t would multiply it as the overlap grows, which took up to 90 % off the friction of an
 /// impact at e = 0.1.
-/// @param v_tangent  (v_i − v_j) − v_n n at the contact point [m/s]
+/// @param v_tangent  (v_i − v_j) − v_n n at the contact point, by which the spring is stretched [m/s]
+/// @param v_damped   the same for damping; another where velocities are carried on in time
 /// @param spring     in: turned spring of the last step; out: of this one
-/// @return force on i [N]
 /// Source: article eq. 4; Mindlin & Deresiewicz 1953.
 template <class T>
-REPOSE_INLINE Triple<T> tangential_force(const LawParameters& law, const ContactStiffness<T>& stiffness,
-                                         const T& F_n, const Triple<T>& v_tangent, double dt,
-                                         TangentialSpring<T>& spring) {
+REPOSE_INLINE TangentialForce<T> tangential_force(const LawParameters& law,
+                                                  const ContactStiffness<T>& stiffness, const T& F_n,
+                                                  const Triple<T>& v_tangent, const Triple<T>& v_damped,
+                                                  double dt, TangentialSpring<T>& spring) {
   const T S_t = 8.0 * law.shear * stiffness.root;
-  const Triple<T> damping = (law.tangent_damping * stiffness.root_normal) * v_tangent;
+  TangentialForce<T> force;
+  force.damping = (law.tangent_damping * stiffness.root_normal) * v_damped;
   const T limit = law.friction * absolute(F_n);
   const auto cut = [&limit](const Triple<T>& vector) {  // the factor that brings a vector down to the limit
     const T size = length(vector);
     const auto beyond = size > limit;
     return select(beyond, T(limit / select(beyond, size, T(1.0))), T(1.0));
   };
-  Triple<T> force;
   if (law.history == TangentialHistory::force) {
     const auto unloading = stiffness.root < spring.root;
     const T ratio = select(unloading, T(stiffness.root / select(unloading, spring.root, T(1.0))), T(1.0));
-    const Triple<T> damped = ratio * spring.value - (S_t * dt) * v_tangent - damping;
-    force = cut(damped) * damped;
-    spring.value = force + damping;
+    const Triple<T> damped = ratio * spring.value - (S_t * dt) * v_tangent - force.damping;
+    force.previous = spring.value;
+    force.kept = cut(damped);
+    force.total = force.kept * damped;
+    spring.value = force.spring = force.total + force.damping;
   } else {
     const Triple<T> stretched = spring.value + T(dt) * v_tangent;
     const Triple<T> elastic = T(-S_t) * stretched;
     const T kept = cut(elastic);
-    const Triple<T> damped = select3(kept < 1.0, kept * elastic, elastic - damping);
-    force = cut(damped) * damped;
+    const Triple<T> none{T(0.0), T(0.0), T(0.0)};
+    force.damping = select3(kept < 1.0, none, force.damping);
+    const Triple<T> damped = kept * elastic - force.damping;
+    force.previous = T(-8.0 * law.shear) * spring.root * spring.value;
+    const T kept_damped = cut(damped);
+    force.kept = kept * kept_damped;
+    force.total = kept_damped * damped;
+    force.spring = kept * elastic;
+    force.damping = force.spring - force.total;
     spring.value = kept * stretched;
   }
   spring.root = stiffness.root;

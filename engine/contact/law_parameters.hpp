@@ -21,6 +21,7 @@ struct LawParameters {
   double rolling = 0.0;          ///< μr [-]
   double rolling_damping = 0.0;  ///< η_r, type_c [-]
   bool clamped = false;          ///< F_n ≥ 0 (NormalDamping::clamped)
+  bool torque_limited = true;    ///< RollingTorque::limited
   TangentialHistory history = TangentialHistory::force;
 };
 

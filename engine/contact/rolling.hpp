@@ -27,15 +27,15 @@ REPOSE_INLINE Triple<T> across(const Triple<T>& vector, const Triple<T>& n) {
 
 /// Constant torque against the relative rotation (type_a_relative, LIGGGHTS `cdt`):
 ///   M = −μr |F_elastic| R* ω_rel/|ω_rel|, without its part along n.
-/// Bounded by what stops the relative rotation within one step, shared over the contacts of both bodies
-/// (inertia_or_limit): unbounded, the sign of ω_rel flips at every step of a heap at rest, which then never
-/// rests.
+/// Bounded (LawParameters::torque_limited) by what stops the relative rotation within one step, shared over
+/// the contacts of both bodies (inertia_or_limit): unbounded, the sign of ω_rel flips at every step of a heap
+/// at rest, which then never rests.
 /// @return torque on i; on j the opposite [N m]
 template <class T>
 REPOSE_INLINE Triple<T> constant_torque(const LawParameters& law, const RollingContact<T>& contact) {
   const T spin = length(contact.w_rel);
   const T full = law.rolling * absolute(contact.F_elastic) * contact.R_eff;
-  const T size = smaller(full, T(contact.inertia_or_limit * spin));
+  const T size = law.torque_limited ? smaller(full, T(contact.inertia_or_limit * spin)) : full;
   const auto turns = spin > 0.0;
   const T factor = select(turns, T(-size / select(turns, spin, T(1.0))), T(0.0));
   return factor * across(contact.w_rel, contact.n);

@@ -19,6 +19,7 @@ void Bodies::for_each_array(Visit visit) {
     visit(*array);
   visit(motion);
   visit(load);
+  visit(lead);
   visit(axes);
   visit(shape);
   visit(id);
@@ -57,6 +58,7 @@ std::size_t Bodies::add(const NewBody& body) {
   motion[i].mass = density * s * s * s * clump.volume;
   motion[i].inertia_term = moments.mean();
   load[i] = {};
+  lead[i] = {};
   reach[i] = s * clump.bounding_radius();
   swing[i] = 0.0;
   for (const Sphere& sphere : clump.spheres) swing[i] = std::max(swing[i], s * sphere.centre.norm());

@@ -19,6 +19,15 @@ struct alignas(64) BodyMotion {
   double inertia_term = 0.0;
 };
 
+/// What half a step at the accelerations of the last step adds to a body's velocities, in one cache line
+/// (velocity_verlet; zero otherwise).
+struct alignas(64) BodyLead {
+  double velocity[3] = {};  ///< [m/s]
+  double unused_v = 0.0;
+  double w[3] = {};  ///< [rad/s]
+  double unused_w = 0.0;
+};
+
 /// What contacts add up on a body, in one cache line.
 struct alignas(64) BodyLoad {
   double force[3] = {};   ///< [N], without gravity
@@ -63,6 +72,7 @@ struct Bodies {
   std::vector<double> swing;  ///< largest distance of a sphere's centre from the centre of mass [m]
   std::vector<BodyMotion> motion;
   std::vector<BodyLoad> load;
+  std::vector<BodyLead> lead;
   std::vector<BodyAxes> axes;
   std::vector<double> scale;
   std::vector<int> shape;

@@ -5,13 +5,15 @@
 #include "engine/contact/contact_law.hpp"
 #include "engine/dynamics/bodies.hpp"
 #include "engine/dynamics/contact_list.hpp"
+#include "engine/dynamics/force_kernels.hpp"
 #include "engine/dynamics/simd_records.hpp"
 
 namespace repose {
 
 /// A block of kSimdWidth contacts between the arrays in memory and the contact law.
 inline constexpr std::int32_t kLine = 8;  ///< doubles of a record that fills a cache line
-static_assert(sizeof(BodyMotion) == 64 && sizeof(BodyLoad) == 64 && sizeof(PlacedSphere) == 64);
+static_assert(sizeof(BodyMotion) == 64 && sizeof(BodyLoad) == 64 && sizeof(BodyLead) == 64 &&
+              sizeof(PlacedSphere) == 64);
 static_assert(sizeof(SpringRecord) == 32 && sizeof(RollingRecord) == 32);
 
 /// One side of a block: spheres with their bodies.
@@ -39,6 +41,14 @@ REPOSE_INLINE BlockSide load_side(const Bodies& bodies, const std::vector<Placed
   side.w = {m[4], m[5], m[6]};
   side.inertia_term = m[7];
   return side;
+}
+
+/// What Bodies::lead adds to the velocity at the contact point of one side.
+REPOSE_INLINE Triple<SimdReal> lead_of(const Bodies& bodies, const LaneOffsets& body,
+                                       const Triple<SimdReal>& arm) {
+  const Fields8 lead = load_fields8(bodies.lead.data()->velocity, body);
+  return Triple<SimdReal>{lead[0], lead[1], lead[2]} +
+         cross(Triple<SimdReal>{lead[4], lead[5], lead[6]}, arm);
 }
 
 /// What force and torque on a body add to its record (BodyLoad).
@@ -77,6 +87,26 @@ REPOSE_INLINE void store_history(const BlockHistory& block, CandidateArrays& con
   store_fields4({torque.x, torque.y, torque.z, SimdReal(0.0)}, contacts.rolling.data()->torque, block.offset,
                 lanes);
 }
+
+/// Sums the power of blocks, lane by lane.
+struct PowerSum {
+  SimdReal normal_damping = 0.0, tangential_damping = 0.0, spring = 0.0, rolling = 0.0, wall = 0.0;
+
+  REPOSE_INLINE void add(const ContactPower<SimdReal>& power, const SimdReal& of_wall, std::size_t lanes) {
+    SimdReal real = 1.0;
+    if (lanes < kSimdWidth)  // the others repeat a contact
+      for (std::size_t lane = lanes; lane < kSimdWidth; ++lane) real[lane] = 0.0;
+    normal_damping += real * power.normal_damping;
+    tangential_damping += real * power.tangential_damping;
+    spring += real * power.spring;
+    rolling += real * power.rolling;
+    wall += real * of_wall;
+  }
+  [[nodiscard]] ContactWork work(double dt) const {
+    return {dt * stdx::reduce(normal_damping), dt * stdx::reduce(tangential_damping),
+            dt * stdx::reduce(spring), dt * stdx::reduce(rolling), dt * stdx::reduce(wall)};
+  }
+};
 
 /// Entries `first` … of a list; lanes beyond its end repeat the last entry. Returns the number of lanes that
 /// are real.

@@ -57,42 +57,44 @@ REPOSE_INLINE Axes axes_of(const Rotor& q) {
           {2.0 * (xz + wy), 2.0 * (yz - wx), 1.0 - 2.0 * (xx + yy)}};
 }
 
-/// Rolling resistance of type_a on the angular momentum l in the body's frame.
-REPOSE_INLINE Triple<T> resist_rolling(const Triple<T>& l, const Triple<T>& inverse, const T& impulse) {
+/// Rolling resistance of type_a on the angular momentum l in the body's frame. Adds what it takes of the
+/// rotation's energy to `taken_energy`.
+REPOSE_INLINE Triple<T> resist_rolling(const Triple<T>& l, const Triple<T>& inverse, const T& impulse,
+                                       const MotionStep& step, T& taken_energy) {
   const Triple<T> w{inverse.x * l.x, inverse.y * l.y, inverse.z * l.z};
   const T momentum = length(l);
   const T spin_squared = dot(w, w);
   const auto turns = spin_squared > 0.0;
   const T safe = select(turns, spin_squared, T(1.0));
   const T spin = square_root(safe);
-  // ω̂ᵀ I⁻¹ ω̂ |ω| = Σ w_k² / (I_k |ω|)
-  const T softness = (inverse.x * w.x * w.x + inverse.y * w.y * w.y + inverse.z * w.z * w.z) / spin;
-  const T most = spin_squared / select(turns, softness, T(1.0));
-  const T taken = smaller(impulse, most) / spin;
-  const auto stops = momentum <= impulse;
+  T taken = select(turns, T(impulse / spin), T(0.0));
+  auto stops = spin_squared < 0.0;
+  if (step.rolling_torque == RollingTorque::limited) {
+    // ω̂ᵀ I⁻¹ ω̂ |ω| = Σ w_k² / (I_k |ω|)
+    const T softness = (inverse.x * w.x * w.x + inverse.y * w.y * w.y + inverse.z * w.z * w.z) / spin;
+    const T most = spin_squared / select(turns, softness, T(1.0));
+    taken = smaller(impulse, most) / spin;
+    stops = momentum <= impulse;
+  }
   const T zero = 0.0;
-  return {select(stops, zero, T(l.x - taken * w.x)), select(stops, zero, T(l.y - taken * w.y)),
-          select(stops, zero, T(l.z - taken * w.z))};
+  const Triple<T> left{select(stops, zero, T(l.x - taken * w.x)), select(stops, zero, T(l.y - taken * w.y)),
+                       select(stops, zero, T(l.z - taken * w.z))};
+  if (step.booked) {
+    const Triple<T> w_left{inverse.x * left.x, inverse.y * left.y, inverse.z * left.z};
+    taken_energy += 0.5 * (dot(l, w) - dot(left, w_left));
+  }
+  return left;
 }
 
-Triple<T> rotate(Bodies& bodies, std::size_t first, Triple<T> L, const T& impulse, double dt) {
-  const Triple<T> inverse{load(bodies.inverse_i1, first), load(bodies.inverse_i2, first),
-                          load(bodies.inverse_i3, first)};
-  if (!bodies.oriented) {  // a single sphere has one moment and no visible orientation
-    const Triple<T> left = resist_rolling(L, inverse, impulse);
-    store(left.x, bodies.lx, first), store(left.y, bodies.ly, first), store(left.z, bodies.lz, first);
-    return inverse.x * left;
-  }
-  Rotor q{load(bodies.qw, first), load(bodies.qx, first), load(bodies.qy, first), load(bodies.qz, first)};
-  const Axes before = axes_of(q);
-  Triple<T> l{dot(before.c1, L), dot(before.c2, L), dot(before.c3, L)};
-  if (stdx::any_of(impulse > 0.0)) {
-    l = resist_rolling(l, inverse, impulse);
-    const Triple<T> resisted = l.x * before.c1 + l.y * before.c2 + l.z * before.c3;
-    L = select3(impulse > 0.0, resisted, L);
-  }
-  store(L.x, bodies.lx, first), store(L.y, bodies.ly, first), store(L.z, bodies.lz, first);
+REPOSE_INLINE Triple<T> to_body(const Axes& axes, const Triple<T>& world) {
+  return {dot(axes.c1, world), dot(axes.c2, world), dot(axes.c3, world)};
+}
+REPOSE_INLINE Triple<T> to_world(const Axes& axes, const Triple<T>& body) {
+  return body.x * axes.c1 + body.y * axes.c2 + body.z * axes.c3;
+}
 
+/// The free rotation over Δt; l becomes the momentum as the turned body sees it.
+REPOSE_INLINE void turn_freely(Rotor& q, Triple<T>& l, const Triple<T>& inverse, double dt) {
   turn_1(q, l, inverse.x, 0.5 * dt);
   turn_2(q, l, inverse.y, 0.5 * dt);
   turn_3(q, l, inverse.z, dt);
@@ -100,43 +102,135 @@ Triple<T> rotate(Bodies& bodies, std::size_t first, Triple<T> L, const T& impuls
   turn_1(q, l, inverse.x, 0.5 * dt);
   const T scale = 1.0 / square_root(T(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z));
   q = {scale * q.w, scale * q.x, scale * q.y, scale * q.z};
+}
+
+/// What acts on the rotation of kSimdWidth bodies.
+struct Twist {
+  Triple<T> momentum;  ///< L before the step, world
+  Triple<T> torque;    ///< world
+  T impulse;           ///< of type_a's rolling resistance
+};
+
+void store_momentum(const Triple<T>& L, Bodies& bodies, std::size_t first) {
+  store(L.x, bodies.lx, first), store(L.y, bodies.ly, first), store(L.z, bodies.lz, first);
+}
+
+/// L with rolling resistance, in the world and, by `axes`, in the body.
+REPOSE_INLINE void resist(const Axes& axes, const Triple<T>& inverse, const Twist& twist,
+                          const MotionStep& step, Triple<T>& L, Triple<T>& l, T& taken_energy) {
+  if (!stdx::any_of(twist.impulse > 0.0)) return;
+  l = resist_rolling(l, inverse, twist.impulse, step, taken_energy);
+  L = select3(twist.impulse > 0.0, to_world(axes, l), L);
+}
+
+/// @return ω that contacts will see, world
+template <Integrator kIntegrator>
+REPOSE_INLINE Triple<T> rotate(Bodies& bodies, std::size_t first, const Twist& twist, const MotionStep& step,
+                               T& taken_energy) {
+  const double dt = step.dt;
+  const Triple<T> inverse{load(bodies.inverse_i1, first), load(bodies.inverse_i2, first),
+                          load(bodies.inverse_i3, first)};
+  Triple<T> L = twist.momentum + T(dt) * twist.torque;
+  if (!bodies.oriented) {  // a single sphere has one moment and no visible orientation
+    L = resist_rolling(L, inverse, twist.impulse, step, taken_energy);
+    store_momentum(L, bodies, first);
+    return inverse.x * L;
+  }
+  Rotor q{load(bodies.qw, first), load(bodies.qx, first), load(bodies.qy, first), load(bodies.qz, first)};
+  Axes axes = axes_of(q);
+  Triple<T> l;
+  if constexpr (kIntegrator == Integrator::explicit_euler) {
+    Triple<T> before = to_body(axes, twist.momentum);
+    turn_freely(q, before, inverse, dt);
+    axes = axes_of(q);
+    l = to_body(axes, L);
+    resist(axes, inverse, twist, step, L, l, taken_energy);
+  } else {
+    l = to_body(axes, L);
+    resist(axes, inverse, twist, step, L, l, taken_energy);
+    turn_freely(q, l, inverse, dt);
+    axes = axes_of(q);
+  }
+  store_momentum(L, bodies, first);
   store(q.w, bodies.qw, first), store(q.x, bodies.qx, first), store(q.y, bodies.qy, first),
       store(q.z, bodies.qz, first);
 
-  const Axes axes = axes_of(q);
   const LaneOffsets at = neighbours(first, 12);
   double* column = bodies.axes.data()->column[0];
   for (const Triple<T>* axis : {&axes.c1, &axes.c2, &axes.c3}) {
     store_fields4({axis->x, axis->y, axis->z, T(0.0)}, column, at, kSimdWidth);
     column += 4;
   }
-  return (inverse.x * l.x) * axes.c1 + (inverse.y * l.y) * axes.c2 + (inverse.z * l.z) * axes.c3;
+  return to_world(axes, {inverse.x * l.x, inverse.y * l.y, inverse.z * l.z});
 }
 
-}  // namespace
+/// Moves the centres of mass of kSimdWidth bodies by what their velocity in `motion` becomes; dv = Δt a.
+template <Integrator kIntegrator>
+REPOSE_INLINE void translate(Bodies& bodies, std::size_t first, const Triple<T>& dv, double dt,
+                             Fields8& motion) {
+  Triple<T> v{motion[0], motion[1], motion[2]};
+  Triple<T> moving = v;
+  v = v + dv;
+  if constexpr (kIntegrator != Integrator::explicit_euler) moving = v;
+  motion[0] = v.x, motion[1] = v.y, motion[2] = v.z;
+  store(load(bodies.x, first) + dt * moving.x, bodies.x, first);
+  store(load(bodies.y, first) + dt * moving.y, bodies.y, first);
+  store(load(bodies.z, first) + dt * moving.z, bodies.z, first);
+}
 
-void integrate(Bodies& bodies, double dt, bool rolling_type_a) {
+/// Bodies::lead of kSimdWidth bodies; the turn of their axes within half a step is left out.
+void store_lead(Bodies& bodies, std::size_t first, const Triple<T>& dv, const Triple<T>& dL) {
+  const Triple<T> inverse{load(bodies.inverse_i1, first), load(bodies.inverse_i2, first),
+                          load(bodies.inverse_i3, first)};
+  Triple<T> dw = inverse.x * dL;
+  if (bodies.oriented) {
+    const Axes axes = axes_of(
+        {load(bodies.qw, first), load(bodies.qx, first), load(bodies.qy, first), load(bodies.qz, first)});
+    const Triple<T> dl = to_body(axes, dL);
+    dw = to_world(axes, {inverse.x * dl.x, inverse.y * dl.y, inverse.z * dl.z});
+  }
+  const T half = 0.5, none = 0.0;
+  store_fields8({half * dv.x, half * dv.y, half * dv.z, none, half * dw.x, half * dw.y, half * dw.z, none},
+                bodies.lead.data()->velocity, neighbours(first, 8));
+}
+
+template <Integrator kIntegrator>
+double integrate_all(Bodies& bodies, const MotionStep& step) {
+  const double dt = step.dt;
   double* motions = bodies.motion.data()->velocity;
   double* loads = bodies.load.data()->force;
+  T taken_energy = 0.0;
   for (std::size_t first = 0; first < bodies.padded(); first += kSimdWidth) {
     const LaneOffsets at = neighbours(first, 8);
     Fields8 motion = load_fields8(motions, at);
     const Fields8 sum = load_fields8(loads, at);
     const T kick = dt / motion[3];
-    motion[0] += kick * sum[0];
-    motion[1] += kick * sum[1];
-    motion[2] += kick * sum[2] - dt * kGravity;
-    store(load(bodies.x, first) + dt * motion[0], bodies.x, first);
-    store(load(bodies.y, first) + dt * motion[1], bodies.y, first);
-    store(load(bodies.z, first) + dt * motion[2], bodies.z, first);
-
-    const Triple<T> L{load(bodies.lx, first) + dt * sum[4], load(bodies.ly, first) + dt * sum[5],
-                      load(bodies.lz, first) + dt * sum[6]};
-    const T impulse = rolling_type_a ? T(dt * sum[3]) : T(0.0);
-    const Triple<T> w = rotate(bodies, first, L, impulse, dt);
+    const Triple<T> dv{kick * sum[0], kick * sum[1], kick * sum[2] - dt * kGravity};
+    translate<kIntegrator>(bodies, first, dv, dt, motion);
+    const Twist twist{{load(bodies.lx, first), load(bodies.ly, first), load(bodies.lz, first)},
+                      {sum[4], sum[5], sum[6]},
+                      step.rolling_type_a ? T(dt * sum[3]) : T(0.0)};
+    const Triple<T> w = rotate<kIntegrator>(bodies, first, twist, step, taken_energy);
     motion[4] = w.x, motion[5] = w.y, motion[6] = w.z;
     store_fields8(motion, motions, at);
+    if constexpr (kIntegrator == Integrator::velocity_verlet)
+      store_lead(bodies, first, dv, T(dt) * twist.torque);
   }
+  return stdx::reduce(taken_energy);
+}
+
+}  // namespace
+
+double integrate(Bodies& bodies, const MotionStep& step) {
+  switch (step.integrator) {
+    case Integrator::symplectic_euler:
+      return integrate_all<Integrator::symplectic_euler>(bodies, step);
+    case Integrator::velocity_verlet:
+      return integrate_all<Integrator::velocity_verlet>(bodies, step);
+    case Integrator::explicit_euler:
+      return integrate_all<Integrator::explicit_euler>(bodies, step);
+  }
+  return 0.0;
 }
 
 }  // namespace repose

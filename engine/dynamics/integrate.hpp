@@ -1,14 +1,34 @@
 #pragma once
 
-#include "engine/contact/simd.hpp"
+#include "engine/base/model.hpp"
 #include "engine/dynamics/bodies.hpp"
 
 namespace repose {
 
-/// Moves all bodies by one step Δt under gravity and what contacts have added up in Bodies::load.
+/// What a step of the motion is made of.
+struct MotionStep {
+  double dt = 0.0;              ///< Δt [s]
+  bool rolling_type_a = false;  ///< Bodies::load holds Σ μr |F_n| R_i to resist rolling with
+  Integrator integrator = Integrator::symplectic_euler;
+  RollingTorque rolling_torque = RollingTorque::limited;
+  bool booked = true;  ///< whether the energy is returned; zero otherwise
+};
+
+/// Moves all bodies by one step Δt under gravity and what contacts have added up in Bodies::load. With a =
+/// F/m + g, F of the positions x and of the velocities in Bodies::motion:
 ///
-/// Translation is leapfrog: velocities live at half steps, v ← v + Δt (F/m + g), x ← x + Δt v; second order
-/// where F depends on positions alone.
+///   symplectic_euler  v ← v + Δt a, x ← x + Δt v. The same as leapfrog with v at half steps: second order
+///   where
+///                     F depends on positions alone. Contacts see the v of half a step ago, which makes
+///                     damping first order.
+///   velocity_verlet   the same, but damping is given v + Δt/2 a with the a of the last step (Bodies::lead),
+///   the
+///                     velocity at the time of the positions, and is second order as well (Groot & Warren
+///                     1997, λ = 1/2). Codes that call the force with the half-step v inside a velocity
+///                     Verlet step, as LAMMPS and LIGGGHTS do, move as symplectic_euler.
+///   explicit_euler    x ← x + Δt v, v ← v + Δt a: first order, and it gives energy to every oscillation.
+///
+/// Angular momentum L and orientation are stepped in the same order, L as v and the orientation as x.
 ///
 /// Rotation keeps the angular momentum L in the world frame, L ← L + Δt T, so that without torque L is
 /// constant to the last bit. The free rotation that follows is split into rotations about the body's
@@ -21,7 +41,8 @@ namespace repose {
 /// type_a rolling resistance (article eq. 2) is a torque of size M = Σ μr |F_n| R_i against ω. Its impulse λ
 /// = Δt M never does more than take the rotation away: L becomes zero where |L| ≤ λ, and elsewhere λ stays
 /// below |ω|/(ω̂ᵀ I⁻¹ ω̂), where the kinetic energy is least. Without this limit the sign of ω flips at every
-/// step of a heap at rest, which then keeps moving.
-void integrate(Bodies& bodies, double dt, bool rolling_type_a);
+/// step of a heap at rest, which then keeps moving; RollingTorque::unlimited takes it away.
+/// @return the energy that rolling resistance of type_a took [J]
+double integrate(Bodies& bodies, const MotionStep& step);
 
 }  // namespace repose

@@ -51,7 +51,7 @@ REPOSE_INLINE SimdReal inertia_or_limit(const BlockSide& i, const BlockSide& j, 
 /// overlap.
 template <RollingModel kModel>
 REPOSE_INLINE void pair_block(const ForceStep& step, Bodies& bodies, ContactList& list,
-                              const std::vector<std::int32_t>& touching, std::size_t first) {
+                              const std::vector<std::int32_t>& touching, std::size_t first, PowerSum& sum) {
   constexpr bool kSpring = has_rolling_spring(kModel);
   LaneOffsets candidate, index_a, index_b;
   const std::size_t lanes = take_lanes(touching, first, candidate);
@@ -73,10 +73,17 @@ REPOSE_INLINE void pair_block(const ForceStep& step, Bodies& bodies, ContactList
   const Triple<SimdReal> arm_j = j.arm + (j.radius - 0.5 * contact.overlap) * contact.n;
   contact.inertia_or_limit = inertia_or_limit<kModel>(i, j, arm_i, arm_j, step.dt);
 
+  Triple<SimdReal> lead;
+  ContactTiming<SimdReal> timing{step.dt, step.lag, step.booked, nullptr};
+  if (step.leads) {
+    lead = lead_of(bodies, i.body, arm_i) - lead_of(bodies, j.body, arm_j);
+    timing.lead = &lead;
+  }
   BlockHistory block = load_history(list.pairs, candidate, kSpring);
   const ContactForces<SimdReal> f = contact_forces<kModel>(step.pair_law, contact, {i.velocity, i.w, arm_i},
-                                                           {j.velocity, j.w, arm_j}, step.dt, block.history);
+                                                           {j.velocity, j.w, arm_j}, timing, block.history);
   store_history(block, list.pairs, lanes, kSpring);
+  if (step.booked) sum.add(f.power, SimdReal(0.0), lanes);
 
   SimdReal resist_i = 0.0, resist_j = 0.0;
   if constexpr (kModel == RollingModel::type_a) {
@@ -91,11 +98,13 @@ REPOSE_INLINE void pair_block(const ForceStep& step, Bodies& bodies, ContactList
 }
 
 template <RollingModel kModel>
-void pair_forces(const ForceStep& step, Bodies& bodies, ContactList& list,
-                 std::vector<std::int32_t>& touching) {
+ContactWork pair_forces(const ForceStep& step, Bodies& bodies, ContactList& list,
+                        std::vector<std::int32_t>& touching) {
   find_touching(list, touching);
+  PowerSum sum;
   for (std::size_t first = 0; first < touching.size(); first += kSimdWidth)
-    pair_block<kModel>(step, bodies, list, touching, first);
+    pair_block<kModel>(step, bodies, list, touching, first, sum);
+  return sum.work(step.dt);
 }
 
 }  // namespace repose

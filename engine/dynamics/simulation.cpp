@@ -32,12 +32,18 @@ ForceStep laws_of(const Scene& scene, double dt) {
     return ElasticSide{stiffness * material.shear_modulus, material.poisson_ratio};
   };
   const auto law = [&](const Material& other, const ContactParameters& p) {
-    return law_parameters(side(scene.particles.material), side(other), p.restitution, p.static_friction,
-                          p.rolling_friction, scene.contact.rolling_damping_ratio,
-                          scene.contact.normal_damping, scene.contact.tangential_history);
+    LawParameters parameters = law_parameters(
+        side(scene.particles.material), side(other), p.restitution, p.static_friction, p.rolling_friction,
+        scene.contact.rolling_damping_ratio, scene.contact.normal_damping, scene.contact.tangential_history);
+    parameters.torque_limited = scene.contact.rolling_torque == RollingTorque::limited;
+    return parameters;
   };
-  return {law(scene.particles.material, scene.contact.particle_particle),
-          law(scene.walls, scene.contact.particle_wall), dt};
+  const Integrator integrator = scene.numerics.integrator;
+  return {.pair_law = law(scene.particles.material, scene.contact.particle_particle),
+          .wall_law = law(scene.walls, scene.contact.particle_wall),
+          .dt = dt,
+          .leads = integrator == Integrator::velocity_verlet,
+          .lag = integrator == Integrator::symplectic_euler ? 0.5 * dt : 0.0};
 }
 
 }  // namespace
@@ -45,6 +51,8 @@ ForceStep laws_of(const Scene& scene, double dt) {
 Simulation::Simulation(const Scene& scene, double dt)
     : dt_(dt),
       rolling_model_(scene.contact.rolling_model),
+      motion_step_{dt, rolling_model_ == RollingModel::type_a, scene.numerics.integrator,
+                   scene.contact.rolling_torque},
       force_step_(laws_of(scene, dt)),
       kernels_(force_kernels(scene.contact.rolling_model)),
       bodies_(scene.particles.shapes, scene.particles.material.density),
@@ -55,11 +63,11 @@ bool Simulation::step() {
   contacts_.place_spheres(bodies_);
 
   clear_loads();
-  kernels_.pairs(force_step_, bodies_, contacts_, touching_);
-  kernels_.walls(force_step_, bodies_, contacts_, walls, touching_walls_);
+  book(kernels_.pairs(force_step_, bodies_, contacts_, touching_));
+  book(kernels_.walls(force_step_, bodies_, contacts_, walls, touching_walls_));
   if (rolling_model_ == RollingModel::type_a_relative) update_inertia_terms();
 
-  integrate(bodies_, dt_, rolling_model_ == RollingModel::type_a);
+  booked_.rolling_resistance += integrate(bodies_, motion_step_);
   for (Wall& wall : walls) wall.advance(dt_);
   ++steps_;
   return true;
@@ -75,13 +83,54 @@ void Simulation::update_inertia_terms() {
   }
 }
 
+void Simulation::book(const ContactWork& work) {
+  booked_.normal_damping += work.normal_damping;
+  booked_.tangential_damping += work.tangential_damping;
+  booked_.friction += work.spring;
+  booked_.rolling_resistance += work.rolling;
+  booked_.wall_work += work.wall;
+  booked_.turnover += std::abs(work.wall);
+}
+
+ContactSurvey Simulation::survey() const {
+  std::vector<Wall> then = walls;
+  for (Wall& wall : then) wall.advance(-dt_);
+  return survey_contacts(force_step_, rolling_model_, bodies_, contacts_, then);
+}
+
+EnergyLedger Simulation::ledger() const {
+  EnergyLedger ledger = booked_;
+  for (std::size_t i = 0; i < bodies_.count; ++i) {
+    const BodyEnergy body = energy_of(bodies_, i, dt_, motion_step_.integrator);
+    ledger.kinetic += body.kinetic;
+    ledger.potential += body.potential;
+  }
+  const ContactSurvey contacts = survey();
+  ledger.elastic_normal = contacts.elastic_normal;
+  ledger.elastic_tangential = contacts.elastic_tangential;
+  ledger.elastic_rolling = contacts.elastic_rolling;
+  ledger.friction -= ledger.elastic_tangential;
+  ledger.rolling_resistance -= ledger.elastic_rolling;
+  return ledger;
+}
+
 void Simulation::add(const NewBody& body) {
-  bodies_.add(body);
+  const std::size_t i = bodies_.add(body);
+  const double brought = bodies_.kinetic_energy(i) + bodies_.motion[i].mass * kGravity * body.position.z();
+  booked_.added += brought;
+  booked_.turnover += std::abs(brought);
   contacts_.invalidate();
   if (rolling_model_ == RollingModel::type_a_relative) update_inertia_terms();
 }
 
-void Simulation::remove(std::span<const char> keep) { contacts_.renumber(bodies_.retain(keep)); }
+void Simulation::remove(std::span<const char> keep) {
+  for (std::size_t i = 0; i < bodies_.count; ++i) {
+    if (keep[i]) continue;
+    const BodyEnergy body = energy_of(bodies_, i, dt_, motion_step_.integrator);
+    booked_.removed += body.kinetic + body.potential;
+  }
+  contacts_.renumber(bodies_.retain(keep));
+}
 
 void Simulation::split_wall(int from, int plus, int minus) {
   contacts_.hand_over_wall(from, plus, 1.0);

@@ -4,7 +4,9 @@
 
 #include "engine/dynamics/bodies.hpp"
 #include "engine/dynamics/contact_list.hpp"
+#include "engine/dynamics/energy_ledger.hpp"
 #include "engine/dynamics/force_kernels.hpp"
+#include "engine/dynamics/integrate.hpp"
 #include "engine/dynamics/wall.hpp"
 #include "engine/scene/heap_snapshot.hpp"
 #include "engine/scene/scene.hpp"
@@ -30,6 +32,12 @@ class Simulation {
   /// Splits the wall `from` into the walls already added as `plus` and `minus`: contacts keep their history.
   void split_wall(int from, int plus, int minus);
 
+  /// Where the energy has gone until the last step. Looks at every body and contact: about the cost of a few
+  /// steps.
+  [[nodiscard]] EnergyLedger ledger() const;
+  /// Contacts of the last step.
+  [[nodiscard]] ContactSurvey survey() const;
+
   /// For each body whether it touched another body at the last step.
   [[nodiscard]] std::vector<char> touching_another() const;
 
@@ -41,17 +49,21 @@ class Simulation {
   [[nodiscard]] long steps() const { return steps_; }
   [[nodiscard]] const Bodies& bodies() const { return bodies_; }
   [[nodiscard]] const ContactList& contacts() const { return contacts_; }
+  [[nodiscard]] const ForceStep& laws() const { return force_step_; }
 
   std::vector<Wall> walls;  ///< may be added to and changed between steps
 
  private:
   void remove(std::span<const char> keep);
   void clear_loads();
+  void book(const ContactWork& work);
   void update_inertia_terms();
 
   double dt_;
   long steps_ = 0;
   RollingModel rolling_model_;
+  MotionStep motion_step_;
+  EnergyLedger booked_;  ///< its sums; friction and rolling_resistance with what springs hold
   ForceStep force_step_;
   ForceKernels kernels_;
   Bodies bodies_;

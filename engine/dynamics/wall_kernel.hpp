@@ -40,7 +40,8 @@ inline void find_touching_walls(ContactList& list, std::span<const Wall> walls, 
 /// Second pass: the contact law against walls of infinite mass and radius, R* = r, m* = m.
 template <RollingModel kModel>
 REPOSE_INLINE void wall_block(const ForceStep& step, Bodies& bodies, ContactList& list,
-                              std::span<const Wall> walls, const TouchingWalls& touching, std::size_t first) {
+                              std::span<const Wall> walls, const TouchingWalls& touching, std::size_t first,
+                              PowerSum& sum) {
   constexpr bool kSpring = has_rolling_spring(kModel);
   LaneOffsets candidate, index;
   std::array<const Wall*, kSimdWidth> wall;
@@ -67,10 +68,17 @@ REPOSE_INLINE void wall_block(const ForceStep& step, Bodies& bodies, ContactList
                                 SimdReal([&](auto lane) { return wall[lane]->velocity.y(); }),
                                 SimdReal([&](auto lane) { return wall[lane]->velocity.z(); })};
 
+  Triple<SimdReal> lead;
+  ContactTiming<SimdReal> timing{step.dt, step.lag, step.booked, nullptr};
+  if (step.leads) {
+    lead = lead_of(bodies, i.body, arm);
+    timing.lead = &lead;
+  }
   BlockHistory block = load_history(list.wall_contacts, candidate, kSpring);
   const ContactForces<SimdReal> f = contact_forces<kModel>(step.wall_law, contact, {i.velocity, i.w, arm},
-                                                           {v_wall, none, none}, step.dt, block.history);
+                                                           {v_wall, none, none}, timing, block.history);
   store_history(block, list.wall_contacts, lanes, kSpring);
+  if (step.booked) sum.add(f.power, dot(f.force, v_wall), lanes);
   SimdReal resist = 0.0;
   if constexpr (kModel == RollingModel::type_a)
     resist = step.wall_law.rolling * absolute(f.F_n) * length(arm);
@@ -79,11 +87,13 @@ REPOSE_INLINE void wall_block(const ForceStep& step, Bodies& bodies, ContactList
 }
 
 template <RollingModel kModel>
-void wall_forces(const ForceStep& step, Bodies& bodies, ContactList& list, std::span<const Wall> walls,
-                 TouchingWalls& touching) {
+ContactWork wall_forces(const ForceStep& step, Bodies& bodies, ContactList& list, std::span<const Wall> walls,
+                        TouchingWalls& touching) {
   find_touching_walls(list, walls, touching);
+  PowerSum sum;
   for (std::size_t first = 0; first < touching.candidate.size(); first += kSimdWidth)
-    wall_block<kModel>(step, bodies, list, walls, touching, first);
+    wall_block<kModel>(step, bodies, list, walls, touching, first, sum);
+  return sum.work(step.dt);
 }
 
 }  // namespace repose

@@ -17,6 +17,9 @@ constexpr int kLeastBodies = 20;
 constexpr double kLayers = 1.6;     // a heap is higher than this, in diameters
 constexpr double kLeastFall = 0.5;  // of a surface over its window, in diameters
 constexpr double kSteepest = radians(60.0);
+// A cone of 30° that is four diameters high (below, kFlatHeight flags it) holds 230 bodies at a solid
+// fraction of 0.6.
+constexpr int kFewBodies = 200;
 // Standard error of an angle that is worth giving: with more, its 95 % interval (± 2.07 σ) is wider than 20°,
 // more than μs and μr move the angle over the article's ranges (23° to 40°). 3° refused one of 18 heaps of
 // about 700 bodies, at 3.5°: an angle with its error serves a fit better than a gap.
@@ -83,21 +86,38 @@ std::string unreadable_reason(const FlankReading& reading) {
   std::array<int, 4> count{};
   for (const FlankPoint& p : reading.points) ++count[static_cast<std::size_t>(p.flank)];
   const auto least = static_cast<std::size_t>(std::min_element(count.begin(), count.end()) - count.begin());
-  return fmt::format("no heap that can be read: flank {} has {} tops in its window, at least {} are needed",
-                     kFlankNames[least], count[least], kLeastTops);
+  return fmt::format(
+      "no heap that can be read: flank {} has {} tops in its window, at least {} are needed; pour more",
+      kFlankNames[least], count[least], kLeastTops);
 }
 
-std::string warning_of(const HeapMeasurement& measured, const HeapOutline& outline) {
-  std::string text;
-  const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
-  if (outline.height < kFlatHeight * outline.diameter) {
-    add(fmt::format("flat heap ({:.1f} body diameters high): window in radius",
-                    outline.height / outline.diameter));
-  }
-  if (measured.angle > kSteepest) {
-    add(fmt::format("flanks of {:.0f} degrees: the column may still stand", degrees(measured.angle)));
-  }
-  return text;
+std::vector<Warning> warnings_of(const HeapMeasurement& measured, const HeapOutline& outline) {
+  std::vector<Warning> warnings;
+  const double error = degrees(measured.standard_error);
+  if (outline.height < kFlatHeight * outline.diameter)
+    warnings.push_back(
+        {"flat_heap", fmt::format("the heap is only {:.1f} body diameters high, so that its flanks are "
+                                  "read in a window of radius, and to ± {:.1f} degrees; pour more",
+                                  outline.height / outline.diameter, error)});
+  if (static_cast<int>(outline.bodies) < kFewBodies)
+    warnings.push_back(
+        {"few_particles",
+         fmt::format("the heap holds {} bodies: its angle stands to ± {:.1f} degrees only; pour more, "
+                     "or average over seeds",
+                     outline.bodies, error)});
+  if (measured.angle > kSteepest)
+    warnings.push_back(
+        {"steep_flanks",
+         fmt::format("flanks of {:.0f} degrees: the column may still stand; look at the heap, and open "
+                     "faster or wider",
+                     degrees(measured.angle))});
+  return warnings;
+}
+
+bool reaches_edge(const HeapMeasurement& measured, const HeapOutline& outline) {
+  double foot = 0.0;
+  for (const Flank& flank : measured.flanks) foot += 0.25 * flank.z0 / std::tan(flank.angle);
+  return foot >= outline.edge_radius;
 }
 
 /// Reach of a flank's window along its direction.
@@ -144,17 +164,20 @@ double mean_fall(const HeapMeasurement& measured) {
   return fall;
 }
 
-/// Why the lines found are no angle of repose, or nothing.
-std::string no_angle_reason(const HeapMeasurement& measured, const HeapOutline& outline) {
+/// Why the lines found are no slope, or nothing.
+std::string level_reason(const HeapMeasurement& measured, const HeapOutline& outline) {
   const double fall = mean_fall(measured) / outline.diameter;
-  if (fall < kLeastFall) {
-    return fmt::format("no heap: the surface is level, it falls by {:.1f} body diameters", fall);
-  }
-  if (measured.standard_error > kWidestError) {
-    return fmt::format("no heap that can be read: {} bodies leave the angle uncertain by {:.1f} degrees",
-                       outline.bodies, degrees(measured.standard_error));
-  }
-  return {};
+  if (fall >= kLeastFall) return {};
+  return fmt::format("no heap: the surface is level, it falls by {:.1f} body diameters", fall);
+}
+
+/// Why they are no angle that is worth giving, or nothing.
+std::string uncertain_reason(const HeapMeasurement& measured, const HeapOutline& outline) {
+  if (measured.standard_error <= kWidestError) return {};
+  return fmt::format(
+      "no heap that can be read: {} bodies leave the angle uncertain by {:.1f} degrees (bar: {:.0f}); "
+      "pour more",
+      outline.bodies, degrees(measured.standard_error), degrees(kWidestError));
 }
 
 }  // namespace
@@ -177,13 +200,18 @@ HeapMeasurement measure_heap(const HeapSnapshot& heap, const MeasureOptions& opt
   const FlankReading reading = read_flanks(surface, outline, options);
   if (!reading.readable) {
     measured.reason = unreadable_reason(reading);
+    measured.unreadable = true;
     return measured;
   }
   fill_flanks(measured, reading, surface);
-  measured.reason = no_angle_reason(measured, outline);
+  measured.reason = level_reason(measured, outline);
   if (!measured.reason.empty()) return measured;
+  measured.reason = uncertain_reason(measured, outline);
+  measured.unreadable = !measured.reason.empty();
+  if (measured.unreadable) return measured;
   measured.has_heap = true;
-  measured.reason = warning_of(measured, outline);
+  measured.reaches_edge = reaches_edge(measured, outline);
+  measured.warnings = warnings_of(measured, outline);
   return measured;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/warning.hpp"
 #include "engine/scene/heap_snapshot.hpp"
 #include "engine/scene/scene.hpp"
 
@@ -30,14 +31,19 @@ struct Flank {
 /// The heap as the article reads it (eq. 12) and the other responses.
 struct HeapMeasurement {
   bool has_heap = false;
-  std::string reason;  ///< why there is no heap, or a warning ("flat heap: window in radius"), or empty
-  std::array<Flank, 4> flanks;  ///< along +x, −x, +y, −y
-  double angle = 0.0;           ///< α_AOR = mean of the four [rad]
-  double standard_error = 0.0;  ///< of α_AOR [rad]
-  double peak_height = 0.0;     ///< of the free surface above the base [m]
-  double mass_on_base = 0.0;    ///< [kg]
-  double axis_x = 0.0;          ///< of the heap, from which the flanks' r is counted [m]
-  double axis_y = 0.0;          ///< [m]
+  bool unreadable = false;        ///< something lies there, but no angle can be told from it
+  std::string reason;             ///< why there is no angle, with what to do; empty if there is one
+  std::vector<Warning> warnings;  ///< flat_heap, few_particles, steep_flanks: of an angle that there is
+  std::array<Flank, 4> flanks;    ///< along +x, −x, +y, −y
+  double angle = 0.0;             ///< α_AOR = mean of the four [rad]
+  double standard_error = 0.0;    ///< of α_AOR [rad]
+  double peak_height = 0.0;       ///< of the free surface above the base [m]
+  double mass_on_base = 0.0;      ///< [kg]
+  double axis_x = 0.0;            ///< of the heap, from which the flanks' r is counted [m]
+  double axis_y = 0.0;            ///< [m]
+  /// The flanks' lines meet the base, in the mean of the four, less than a diameter inside its edge or
+  /// beyond: the edge cuts the heap and what comes down leaves it. Otherwise the heap is a free cone.
+  bool reaches_edge = false;
 };
 
 /// The 95 % interval of the angle is angle ± this × standard_error: Student's t for the 24 parts of the

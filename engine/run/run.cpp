@@ -2,6 +2,7 @@
 
 #include <ctime>
 
+#include "engine/run/warnings.hpp"
 #include "engine/scene/canonical.hpp"
 #include "engine/slump/slump_test.hpp"
 
@@ -29,9 +30,22 @@ constexpr const char* instruction_set() {
 #endif
 }
 
+/// Angle and responses of a heap at rest, or why it has none.
+void measure(RunResult& result, const Scene& scene, const SlumpTestRun& test) {
+  const HeapMeasurement& measured = result.measurement = measure_heap(result.heap, scene.measure);
+  if (!measured.has_heap) result.outcome = measured.unreadable ? Outcome::unreadable : Outcome::no_heap;
+  result.reason = measured.reason;
+  result.responses = {.mass_on_base = measured.mass_on_base,
+                      .mass_lost = test.pour().total_mass() - measured.mass_on_base,
+                      .peak_height = measured.peak_height,
+                      .bulk_density = column_bulk_density(test.column(), scene.test.cylinder_radius),
+                      .rest_time = test.rest_time(),
+                      .reaches_edge = measured.reaches_edge};
+}
+
 }  // namespace
 
-std::string engine_version() { return std::string("1-") + instruction_set(); }
+std::string engine_version() { return std::string("2-") + instruction_set(); }
 
 std::string run_key(const Scene& scene, std::uint64_t seed) {
   return digest(canonical_text(scene) + "\nseed " + std::to_string(seed) + "\nengine " + engine_version());
@@ -46,15 +60,12 @@ RunResult run_slump_test(const Scene& scene, std::uint64_t seed, const RunOption
   result.outcome = test.outcome();
   result.reason = test.reason();
   result.heap = test.simulation().snapshot();
-  if (result.outcome == Outcome::completed) {
-    result.measurement = measure_heap(result.heap, scene.measure);
-    if (!result.measurement.has_heap) result.outcome = Outcome::no_heap;
-    result.reason = result.measurement.reason;
-    result.responses.mass_on_base = result.measurement.mass_on_base;
-    result.responses.peak_height = result.measurement.peak_height;
-    result.responses.bulk_density = column_bulk_density(test.column(), scene.test.cylinder_radius);
-    result.responses.rest_time = test.rest_time();
-  }
+  result.motion = test.diagnosis();
+  result.energy = test.simulation().ledger();
+  if (result.outcome == Outcome::completed) measure(result, scene, test);
+  result.warnings = scene_warnings(scene);
+  for (const auto& more : {run_warnings(scene, test), result.measurement.warnings})
+    result.warnings.insert(result.warnings.end(), more.begin(), more.end());
   result.cost = {thread_cpu_time() - begin, test.simulation().steps(), test.simulation().dt()};
   result.bodies = test.pour().total_bodies();
   for (const ParticleDraw& particle : test.pour().particles())

@@ -3,17 +3,21 @@
 #include <cstdint>
 #include <string>
 
+#include "engine/dynamics/energy_ledger.hpp"
 #include "engine/measure/heap_measurement.hpp"
 #include "engine/scene/scene.hpp"
+#include "engine/slump/motion_watch.hpp"
 #include "engine/slump/outcome.hpp"
 
 namespace repose {
 
 struct Responses {
   double mass_on_base = 0.0;  ///< [kg]
+  double mass_lost = 0.0;     ///< poured and not on the base [kg]
   double peak_height = 0.0;   ///< [m]
   double bulk_density = 0.0;  ///< of the settled column before opening [kg/m³]
   double rest_time = 0.0;     ///< from the opening to rest [s]
+  bool reaches_edge = false;  ///< the base's edge cuts the heap (HeapMeasurement)
 };
 
 struct Cost {
@@ -24,8 +28,13 @@ struct Cost {
 
 struct RunResult {
   Outcome outcome = Outcome::completed;
-  std::string reason;  ///< what happened and what to do, empty if `completed` without remark
+  std::string reason;  ///< what happened and what to do, empty if `completed`
+  /// What makes the result worth less than it looks, each name once: of the scene (scene_warnings.hpp), then
+  /// of the run.
+  std::vector<Warning> warnings;
+  MotionDiagnosis motion;
   HeapMeasurement measurement;
+  EnergyLedger energy;  ///< until the end
   Responses responses;
   Cost cost;
   int bodies = 0;    ///< poured

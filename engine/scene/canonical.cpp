@@ -55,13 +55,14 @@ Json json_of(const ContactParameters& parameters) {
 
 Json json_of(const ContactModel& contact) {
   const auto& [particle_particle, particle_wall, rolling_model, tangential_history, normal_damping,
-               rolling_damping_ratio] = contact;
+               rolling_damping_ratio, rolling_torque] = contact;
   return {{"particle_particle", json_of(particle_particle)},
           {"particle_wall", json_of(particle_wall)},
           {"rolling_model", choice_name(rolling_model)},
           {"tangential_history", choice_name(tangential_history)},
           {"normal_damping", choice_name(normal_damping)},
-          {"rolling_damping_ratio", rolling_damping_ratio}};
+          {"rolling_damping_ratio", rolling_damping_ratio},
+          {"rolling_torque", choice_name(rolling_torque)}};
 }
 
 Json json_of(const SlumpTest& test) {
@@ -75,11 +76,12 @@ Json json_of(const SlumpTest& test) {
 }
 
 Json json_of(const Numerics& numerics) {
-  const auto& [time_step_fraction, time_step, stiffness_scale, settle_energy_ratio, rest_energy_ratio,
-               stage_time_limit] = numerics;
+  const auto& [time_step_fraction, time_step, stiffness_scale, integrator, settle_energy_ratio,
+               rest_energy_ratio, stage_time_limit] = numerics;
   return {{"time_step_fraction", time_step_fraction ? Json(*time_step_fraction) : Json()},
           {"time_step", time_step ? Json(*time_step) : Json()},
           {"stiffness_scale", stiffness_scale},
+          {"integrator", choice_name(integrator)},
           {"settle_energy_ratio", settle_energy_ratio},
           {"rest_energy_ratio", rest_energy_ratio},
           {"stage_time_limit", stage_time_limit}};

@@ -92,6 +92,7 @@ std::vector<CaseKey> make_keys() {
       choice("/contact/tangential_history", choice_names<TangentialHistory>()),
       choice("/contact/normal_damping", choice_names<NormalDamping>()),
       number("/contact/rolling_damping_ratio", kNotNegative),
+      choice("/contact/rolling_torque", choice_names<RollingTorque>()),
 
       required(object("/test")),
       required(choice("/test/kind", choice_names<TestKind>())),
@@ -109,6 +110,7 @@ std::vector<CaseKey> make_keys() {
       step,
       number("/numerics/time_step_s", kPositive),
       number("/numerics/stiffness_scale", kPositive),
+      choice("/numerics/integrator", choice_names<Integrator>()),
       number("/numerics/settle_energy_ratio", kPositive),
       number("/numerics/rest_energy_ratio", kPositive),
       number("/numerics/stage_time_limit_s", kPositive),

@@ -36,6 +36,16 @@ inline constexpr std::array<Named<NormalDamping>, 2> kNames<NormalDamping>{
     {{NormalDamping::with_tail, "with_tail"}, {NormalDamping::clamped, "clamped"}}};
 
 template <>
+inline constexpr std::array<Named<RollingTorque>, 2> kNames<RollingTorque>{
+    {{RollingTorque::limited, "limited"}, {RollingTorque::unlimited, "unlimited"}}};
+
+template <>
+inline constexpr std::array<Named<Integrator>, 3> kNames<Integrator>{
+    {{Integrator::symplectic_euler, "symplectic_euler"},
+     {Integrator::velocity_verlet, "velocity_verlet"},
+     {Integrator::explicit_euler, "explicit_euler"}}};
+
+template <>
 inline constexpr std::array<Named<TestKind>, 2> kNames<TestKind>{
     {{TestKind::split_cylinder, "split_cylinder"}, {TestKind::lifted_cylinder, "lifted_cylinder"}}};
 

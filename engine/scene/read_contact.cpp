@@ -21,6 +21,7 @@ ContactModel read_contact(const CheckedCase& checked) {
   contact.normal_damping = checked.choice_or("/contact/normal_damping", contact.normal_damping);
   contact.rolling_damping_ratio =
       checked.number_or("/contact/rolling_damping_ratio", contact.rolling_damping_ratio);
+  contact.rolling_torque = checked.choice_or("/contact/rolling_torque", contact.rolling_torque);
   return contact;
 }
 

@@ -15,6 +15,7 @@ Numerics read_numerics(CheckedCase& checked) {
     numerics.time_step_fraction = checked.number(fraction);  // nothing for "auto"
   }
   numerics.stiffness_scale = checked.number_or("/numerics/stiffness_scale", numerics.stiffness_scale);
+  numerics.integrator = checked.choice_or("/numerics/integrator", numerics.integrator);
   numerics.settle_energy_ratio =
       checked.number_or("/numerics/settle_energy_ratio", numerics.settle_energy_ratio);
   numerics.rest_energy_ratio = checked.number_or("/numerics/rest_energy_ratio", numerics.rest_energy_ratio);

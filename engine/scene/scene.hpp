@@ -31,6 +31,7 @@ struct ContactModel {
   TangentialHistory tangential_history = TangentialHistory::force;
   NormalDamping normal_damping = NormalDamping::with_tail;
   double rolling_damping_ratio = 0.3;  ///< η_r of type_c [-]
+  RollingTorque rolling_torque = RollingTorque::limited;
 };
 
 /// A range of particle volumes with its share of all particles by number. A drawn volume is uniform in the
@@ -66,6 +67,7 @@ struct Numerics {
   std::optional<double> time_step_fraction = 0.3;
   std::optional<double> time_step;  ///< [s]
   double stiffness_scale = 1.0;     ///< multiplies G of particles and walls
+  Integrator integrator = Integrator::symplectic_euler;
   /// Mean kinetic energy per body over m g d below which a stage counts as at rest.
   double settle_energy_ratio = 1e-4;
   double rest_energy_ratio = 1e-5;

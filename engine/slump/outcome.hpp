@@ -9,7 +9,18 @@
 namespace repose {
 
 /// How a slump test ended. Only `completed` carries an angle that may enter a fit.
-enum class Outcome { completed, no_heap, timed_out, overfull, diverged, interrupted };
+enum class Outcome {
+  completed,
+  no_heap,      ///< nothing lies on the base that has a slope
+  unreadable,   ///< something lies there, but its angle cannot be told
+  timed_out,    ///< no rest within the time of a stage
+  overfull,     ///< the particles do not fit into the cylinder
+  overlapping,  ///< contacts so deep that what is packed are no longer these particles
+  escaped,      ///< bodies went through a wall
+  unstable,     ///< energy from nowhere
+  diverged,     ///< numbers that are not finite, or places out of all bounds
+  interrupted
+};
 /// "completed", "no_heap", …
 const char* name_of(Outcome outcome);
 

@@ -20,6 +20,10 @@ double mean_diameter(const std::vector<ParticleDraw>& particles, double density)
   return sum / static_cast<double>(particles.size());
 }
 
+// A floor of the kinetic energy below a hundredth of m g d is a jitter of bodies that lie; above, they still
+// fly.
+constexpr double kJitter = 1e-2;
+
 constexpr const char* kStageNames[] = {"pour", "settle", "open", "rest"};
 
 }  // namespace
@@ -30,10 +34,18 @@ const char* name_of(Outcome outcome) {
       return "completed";
     case Outcome::no_heap:
       return "no_heap";
+    case Outcome::unreadable:
+      return "unreadable";
     case Outcome::timed_out:
       return "timed_out";
     case Outcome::overfull:
       return "overfull";
+    case Outcome::overlapping:
+      return "overlapping";
+    case Outcome::escaped:
+      return "escaped";
+    case Outcome::unstable:
+      return "unstable";
     case Outcome::diverged:
       return "diverged";
     case Outcome::interrupted:
@@ -43,7 +55,11 @@ const char* name_of(Outcome outcome) {
 }
 
 SlumpTestRun::SlumpTestRun(const Scene& scene, std::uint64_t seed, const RunOptions& options)
-    : scene_(scene), options_(options), simulation_(scene, time_step(scene)), pour_(scene, seed) {
+    : scene_(scene),
+      options_(options),
+      simulation_(scene, time_step(scene)),
+      pour_(scene, seed),
+      watch_(scene) {
   steps_per_check_ = std::max(1, static_cast<int>(kCheckInterval / simulation_.dt()));
   mean_diameter_ = mean_diameter(pour_.particles(), scene.particles.material.density);
   build_walls();
@@ -69,7 +85,8 @@ void SlumpTestRun::build_walls() {
 }
 
 void SlumpTestRun::run() {
-  if (pour_stage() && settle_stage() && open_stage()) rest_stage();
+  if (!(pour_stage() && settle_stage() && open_stage() && rest_stage())) return;
+  if (const auto verdict = watch_.check_contacts(simulation_)) fail(*verdict);
 }
 
 bool SlumpTestRun::pour_stage() {
@@ -90,6 +107,7 @@ bool SlumpTestRun::settle_stage() {
   double since = 0.0;
   if (!until_rest(scene_.numerics.settle_energy_ratio, "the column", since)) return false;
   column_ = simulation_.snapshot();
+  if (const auto verdict = watch_.check_column(simulation_)) return fail(*verdict);
   const Bodies& bodies = simulation_.bodies();
   for (std::size_t i = 0; i < bodies.count; ++i)
     if (bodies.z[i] > scene_.test.cylinder_height)
@@ -136,6 +154,7 @@ bool SlumpTestRun::open_stage() {
   stage_ = Stage::open;
   open_walls();
   const double begin = simulation_.time();
+  watch_.open();
   const double travel =
       (scene_.test.cylinder_height + 4.0 * scene_.test.cylinder_radius) / scene_.test.opening_speed;
   while (!walls_out_of_the_way()) {
@@ -161,22 +180,48 @@ bool SlumpTestRun::rest_stage() {
 
 bool SlumpTestRun::until_rest(double limit, const char* what, double& since) {
   const double begin = simulation_.time();
+  const double longest = scene_.numerics.stage_time_limit;
+  EnergyFloor floor;
   bool quiet = false;
   for (;;) {
     if (!advance()) return false;
     const double now = simulation_.time();
-    const double ratio = energy_ratio();
-    if (!(ratio <= limit))
+    const EnergyLevel level = energy_level();
+    floor.add((now - begin) / longest, level);
+    if (!(level.ratio <= limit))
       quiet = false;
     else if (!quiet)
       quiet = true, since = now;
     if (quiet && now - since >= kHold) return true;
-    if (now - begin > scene_.numerics.stage_time_limit)
-      return fail(Outcome::timed_out, fmt::format("{} has not come to rest within {:.3g} s: kinetic energy "
-                                                  "per body is {:.2g} m g d, rest is below "
-                                                  "{:.2g}; allow more time or a larger ratio in numerics",
-                                                  what, scene_.numerics.stage_time_limit, ratio, limit));
+    if (now - begin > longest) return fail_without_rest(limit, what, floor);
   }
+}
+
+/// Why there is no rest: energy that still falls needs time; a floor far below one diameter's fall is a
+/// jitter that no time ends; a higher one is a motion that nothing brakes.
+bool SlumpTestRun::fail_without_rest(double limit, const char* what, const EnergyFloor& floor) {
+  std::string reason = fmt::format(
+      "{} has not come to rest within {:.3g} s: kinetic energy per body is {:.2g} m g d, rest is below "
+      "{:.2g}; ",
+      what, scene_.numerics.stage_time_limit, energy_level().ratio, limit);
+  const auto level = floor.level();
+  if (!level) {
+    reason += "it still falls: allow more time (/numerics/stage_time_limit_s)";
+  } else if (level->ratio > kJitter) {
+    reason += "it does not fall: nothing brakes the bodies; give them restitution below 1 and friction";
+  } else {
+    const std::string text = fmt::format(
+        "the bodies jitter: their energy stays at {:.2g} m g d ({:.0f} % of it rotation); {}", level->ratio,
+        100.0 * level->rotation,
+        watch_.diagnosis().stability_number > watch_.diagnosis().coarse
+            ? fmt::format("use a smaller step (its stability number is {:.1f}, coarse from {:.0f} on)",
+                          watch_.diagnosis().stability_number, watch_.diagnosis().coarse)
+            : "use the rolling model type_c or type_a, a smaller step, or an energy ratio in numerics above "
+              "that");
+    warnings_.push_back({"jitter", text});
+    reason += text;
+  }
+  return fail(Outcome::timed_out, std::move(reason));
 }
 
 bool SlumpTestRun::advance() {
@@ -185,29 +230,48 @@ bool SlumpTestRun::advance() {
       return fail(Outcome::diverged,
                   fmt::format("the motion diverged at {:.4g} s with a step of {:.3g} s; use a smaller one",
                               simulation_.time(), simulation_.dt()));
-  if (stage_ == Stage::open || stage_ == Stage::rest) drop_fallen();
+  if (!look()) return false;
   report();
   if (options_.stop && options_.stop->load(std::memory_order_relaxed))
     return fail(Outcome::interrupted, "interrupted");
   return true;
 }
 
-double SlumpTestRun::energy_ratio() const {
+/// Everything that can be wrong between two steps, then bodies that have left for good go.
+bool SlumpTestRun::look() {
+  if (const auto verdict = watch_.check_bodies(simulation_)) return fail(*verdict);
+  if (simulation_.steps() >= next_contact_check_) {
+    next_contact_check_ = simulation_.steps() + kContactCheckSteps;
+    if (const auto verdict = watch_.check_contacts(simulation_)) return fail(*verdict);
+  }
+  drop_lost();
+  return true;
+}
+
+EnergyLevel SlumpTestRun::energy_level() const {
   const Bodies& bodies = simulation_.bodies();
   const std::vector<char> touches = simulation_.touching_another();
-  double energy = 0.0, mass = 0.0;
+  double energy = 0.0, moving = 0.0, mass = 0.0;
   for (std::size_t i = 0; i < bodies.count; ++i) {
     const bool stray = !touches[i] && bodies.z[i] < bodies.reach[i];
     if (stray) continue;
     energy += bodies.kinetic_energy(i);
+    moving += 0.5 * bodies.motion[i].mass * bodies.velocity(i).squaredNorm();
     mass += bodies.motion[i].mass;
   }
-  return mass > 0.0 ? energy / (mass * kGravity * mean_diameter_) : 0.0;
+  if (!(mass > 0.0)) return {};
+  return {energy / (mass * kGravity * mean_diameter_), energy > 0.0 ? 1.0 - moving / energy : 0.0};
 }
 
-void SlumpTestRun::drop_fallen() {
+void SlumpTestRun::drop_lost() {
   const Bodies& bodies = simulation_.bodies();
-  simulation_.remove_if([&bodies](std::size_t i) { return bodies.z[i] + bodies.reach[i] < 0.0; });
+  const bool opened = stage_ == Stage::open || stage_ == Stage::rest;
+  simulation_.remove_if([&](std::size_t i) {
+    const bool over_rim = watch_.spilled(bodies, i);
+    const bool gone = over_rim || (opened && bodies.z[i] + bodies.reach[i] < 0.0);
+    if (over_rim) watch_.count_spilled(bodies, i);
+    return gone;
+  });
 }
 
 void SlumpTestRun::report() {
@@ -218,10 +282,12 @@ void SlumpTestRun::report() {
   }
   if (!options_.on_progress || now < next_report_) return;
   next_report_ = now + kReportInterval;
-  options_.on_progress({kStageNames[static_cast<int>(stage_)], now, energy_ratio(), simulation_.steps(),
+  options_.on_progress({kStageNames[static_cast<int>(stage_)], now, energy_level().ratio, simulation_.steps(),
                         static_cast<int>(simulation_.bodies().count),
                         pour_.poured_mass() / pour_.total_mass()});
 }
+
+bool SlumpTestRun::fail(Verdict verdict) { return fail(verdict.outcome, std::move(verdict.reason)); }
 
 bool SlumpTestRun::fail(Outcome outcome, std::string reason) {
   outcome_ = outcome;

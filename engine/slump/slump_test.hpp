@@ -2,7 +2,10 @@
 
 #include <cstdint>
 
+#include "engine/base/warning.hpp"
 #include "engine/dynamics/simulation.hpp"
+#include "engine/slump/energy_floor.hpp"
+#include "engine/slump/motion_watch.hpp"
 #include "engine/slump/outcome.hpp"
 #include "engine/slump/pour.hpp"
 
@@ -12,6 +15,9 @@ namespace repose {
 /// the pour when all particles are in, settle and rest when the mean kinetic energy per body has stayed below
 /// settle_energy_ratio × m g d or rest_energy_ratio × m g d for kHold, open when the walls are out of the
 /// way. A stage that does not end within numerics.stage_time_limit ends the run `timed_out`.
+///
+/// MotionWatch looks on and ends a run whose motion is unsound. A body that leaves over the cylinder's rim is
+/// taken away and counted: no wall holds it there.
 ///
 /// Strays do not count: a body that touches no other body and is as low as the base would be rolls for
 /// itself, and the heap does not wait for it. Bodies that have fallen below the base's top cannot come back
@@ -29,12 +35,16 @@ class SlumpTestRun {
   [[nodiscard]] const Pour& pour() const { return pour_; }
   /// The settled column just before opening.
   [[nodiscard]] const HeapSnapshot& column() const { return column_; }
+  /// What the run itself has to say of its result, beside the diagnosis.
+  [[nodiscard]] const std::vector<Warning>& warnings() const { return warnings_; }
+  [[nodiscard]] const MotionDiagnosis& diagnosis() const { return watch_.diagnosis(); }
   /// Simulated time from the opening to rest [s].
   [[nodiscard]] double rest_time() const { return rest_time_; }
 
  private:
   static constexpr double kHold = 0.02;            ///< simulated time that rest must last [s]
   static constexpr double kCheckInterval = 5e-4;   ///< between looks at energies, strays and the inlet [s]
+  static constexpr long kContactCheckSteps = 200;  ///< between looks at all contacts
   static constexpr double kReportInterval = 0.01;  ///< between progress reports [s]
   static constexpr double kLongestWait = 0.25;     ///< for room at the inlet, then the cylinder is full [s]
 
@@ -52,24 +62,30 @@ class SlumpTestRun {
   bool advance();
   /// Advances until the energy ratio has stayed below `limit`; false: the run is over. `since` receives when
   /// rest began.
-  bool until_rest(double limit, const char* stage, double& since);
-  [[nodiscard]] double energy_ratio() const;
-  void drop_fallen();
+  bool until_rest(double limit, const char* what, double& since);
+  bool fail_without_rest(double limit, const char* what, const EnergyFloor& floor);
+  [[nodiscard]] EnergyLevel energy_level() const;
+  bool look();
+  void drop_lost();
   void report();
   bool fail(Outcome outcome, std::string reason);
+  bool fail(Verdict verdict);
 
   const Scene& scene_;
   const RunOptions& options_;
   Simulation simulation_;
   Pour pour_;
+  MotionWatch watch_;
   Stage stage_ = Stage::pour;
   int steps_per_check_ = 1;
   double mean_diameter_ = 0.0;
+  long next_contact_check_ = 0;
   double next_report_ = 0.0;
   double next_frame_ = 0.0;
   double rest_time_ = 0.0;
   Outcome outcome_ = Outcome::completed;
   std::string reason_;
+  std::vector<Warning> warnings_;
   HeapSnapshot column_;
 };
 

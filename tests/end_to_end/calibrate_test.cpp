@@ -49,6 +49,14 @@ TEST(Calibrate, GoesFromACaseAndAnAngleToFrictionAndAPage) {
   EXPECT_EQ(json.at("inversion"),
             Json::parse(repose({"invert", out.string(), "--angle", "27", "--sigma", "1", "--json"}).out));
   EXPECT_TRUE(fs::exists(json.at("report").get<std::string>()));
+  // Heaps of 300 spheres are flat, and the step of 0.3 T_R is coarse for them: counted in answer, page and
+  // status.
+  const int flat = json.at("warnings").at("flat_heap").at("runs");
+  EXPECT_GT(flat, 0);
+  EXPECT_NE(words.out.find(std::to_string(flat) + " × flat_heap: "), std::string::npos) << words.out;
+  EXPECT_NE(page.find("<td>flat_heap</td>"), std::string::npos);
+  const Json status = Json::parse(repose({"status", out.string(), "--json"}).out);
+  EXPECT_GE(status.at("warnings").at("flat_heap").at("runs").get<int>(), flat);
   EXPECT_NE(words.out.find(json.at("answer").get<std::string>()), std::string::npos);
 
   // The report alone, again: asked what it was asked before, or something new.

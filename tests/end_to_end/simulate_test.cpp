@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "end_to_end/repose_program.hpp"
 
@@ -122,6 +123,54 @@ TEST(Simulate, RunThatDoesNotCompleteEndsWithThreeAndItsReason) {
   EXPECT_EQ(result.at("outcome"), "timed_out");
   EXPECT_NE(result.at("reason"), "");
   EXPECT_TRUE(result.at("angle_of_repose_deg").is_null());
+}
+
+TEST(Simulate, NamesItsWarningsInWordsAndInJson) {
+  const TemporaryFolder folder;
+  const std::string file = write_case(folder, tiny_case());
+  const std::vector<std::string> set = {"--set", "mu_s=1.5", "/test/opening_speed_m_s=0.1",
+                                        "/numerics/time_step_fraction=0.2", "--quiet"};
+  std::vector<std::string> words = {"simulate", file}, json = {"simulate", file, "--json"};
+  words.insert(words.end(), set.begin(), set.end());
+  json.insert(json.end(), set.begin(), set.end());
+  const std::string text = repose(words).out;
+  EXPECT_EQ(lines_with(text, "warning high_friction: μs = 1.5 between particles"), 1) << text;
+  EXPECT_EQ(lines_with(text, "warning slow_opening: opened at 0.1 m/s"), 1) << text;
+  std::set<std::string> names;
+  const Json result = Json::parse(repose(json).out);
+  for (const Json& warning : result.at("warnings")) {
+    names.insert(warning.at("name"));
+    EXPECT_FALSE(warning.at("text").get<std::string>().empty());
+  }
+  EXPECT_TRUE(names.contains("high_friction") && names.contains("slow_opening")) << result;
+  EXPECT_TRUE(result.at("responses").at("reaches_edge").is_boolean());
+  EXPECT_GE(result.at("responses").at("mass_lost_kg").get<double>(), 0.0);
+  EXPECT_GT(result.at("motion").at("stability_number").get<double>(), 0.0);
+}
+
+TEST(Simulate, AStepThatIsTooLargeNeverGivesAnAngle) {
+  const TemporaryFolder folder;
+  const std::string file = write_case(folder, tiny_case());
+  for (const char* step : {"0.5", "2", "1000"}) {
+    const Finished run =
+        repose({"simulate", file, "--json", "--set", std::string("/numerics/time_step_fraction=") + step});
+    EXPECT_EQ(run.code, 3);
+    const Json json = Json::parse(run.out);
+    EXPECT_TRUE(json.at("outcome") == "unstable" || json.at("outcome") == "escaped") << json;
+    EXPECT_NE(json.at("reason").get<std::string>().find("smaller"), std::string::npos) << json;
+    EXPECT_TRUE(json.at("angle_of_repose_deg").is_null());
+  }
+}
+
+TEST(Simulate, NumbersThatAreNotFiniteAreRefused) {
+  const TemporaryFolder folder;
+  const std::string file = write_case(folder, tiny_case());
+  for (const char* value : {"1e999", "-1e999", "nan", "NaN", "inf"})
+    EXPECT_EQ(repose({"simulate", file, "--set", std::string("mu_s=") + value}).code, 2) << value;
+  std::string text = tiny_case().dump();
+  text.replace(text.find("2500"), 4, "1e999");
+  write_text(folder / "huge.json", text);
+  EXPECT_EQ(repose({"simulate", (folder / "huge.json").string()}).code, 2);
 }
 
 TEST(Simulate, CtrlCEndsItInOrderWith130) {

@@ -19,6 +19,11 @@ std::string rows_of(const fs::path& study) {
   std::vector<bool> keep;
   std::string rows;
   for (std::string line; std::getline(stream, line);) {
+    bool quoted = false;  // a comma inside quotes is no end of a cell
+    for (char& c : line) {
+      if (c == '"') quoted = !quoted;
+      if (c == ',' && quoted) c = ';';
+    }
     std::istringstream cells(line);
     std::size_t at = 0;
     const bool header = keep.empty();

@@ -57,4 +57,23 @@ struct NormalImpact {
   }
 };
 
+/// γ with which the rebound is e, by bisection of the impact itself: no formula of β(e). The law scales, so
+/// that any stiffness, mass and speed give the same.
+inline double gamma_for_rebound(double e, bool clamped) {
+  if (e == 1.0) return 0.0;
+  NormalImpact impact{1.0, 1.0, 1.0, 0.0, clamped};
+  const auto rebounds_more = [&](double gamma) {
+    impact.gamma = gamma;
+    return impact.rebound(1.0) > e;
+  };
+  // Doubled from small: far above the critical damping an impact creeps and does not end.
+  double low = 0.0, high = 0.2;
+  while (rebounds_more(high)) low = high, high *= 2.0;
+  for (int k = 0; k < 40; ++k) {
+    const double middle = 0.5 * (low + high);
+    (rebounds_more(middle) ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
 }  // namespace repose::reference

@@ -26,7 +26,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(Part{"NormalImpacts", normal_impact_rows}, Part{"ObliqueImpacts", oblique_impact_rows},
                       Part{"Restitution", restitution_rows}, Part{"MindlinCycles", cycle_rows},
                       Part{"SlidingAndRolling", sliding_and_rolling_rows}, Part{"Bounces", bounce_rows},
-                      Part{"Rotation", rotation_rows}, Part{"Clumps", clump_rows}),
+                      Part{"Integrators", integrator_rows}, Part{"Rotation", rotation_rows},
+                      Part{"Clumps", clump_rows}, Part{"HeapAngles", heap_angle_rows}),
     [](const ::testing::TestParamInfo<Part>& info) { return info.param.name; });
 
 TEST(VerificationRow, MissesItsBarWhereTheErrorIsNoNumber) {

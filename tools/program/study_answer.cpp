@@ -12,6 +12,7 @@
 #include "tools/program/progress_line.hpp"
 #include "tools/program/response_source.hpp"
 #include "tools/program/scene_facts.hpp"
+#include "tools/program/sweep_runner.hpp"
 
 namespace repose::program {
 
@@ -64,7 +65,9 @@ report::ReportData report_of(const sweep::Study& study, const StudyAnswer& answe
   data.inversion_reason = answer.inversion_reason;
   const std::vector<sweep::StoredRun> runs = sweep::runs_of(study.store);
   for (const sweep::StoredRun& run : runs)
-    if (!run.superseded) data.runs.push_back({observation_of(run), run.outcome, run.cpu_s});
+    if (!run.superseded) data.runs.push_back({observation_of(run), run.outcome, run.cpu_s, run.warnings});
+  for (const auto& [name, count] : answer.warnings)
+    data.warnings.push_back({name, count.runs, count.example});
   data.inputs = facts_of(scene);
   data.cost = cost_of(runs);
   data.made_by = fmt::format("repose {} (engine {}), {:%Y-%m-%d}", REPOSE_VERSION, engine_version(),
@@ -77,6 +80,8 @@ report::ReportData report_of(const sweep::Study& study, const StudyAnswer& answe
 StudyAnswer answer_and_report(const sweep::Study& study, const std::optional<QuestionOptions>& question,
                               const HeapKeeper* keeper, bool quiet) {
   StudyAnswer answer = answer_of(study, question);
+  for (const sweep::StoredRun& run : sweep::runs_of(study.store))
+    if (run.point && !run.superseded && run.completed()) sweep::count_warnings(run, answer.warnings);
   report::ReportData data = report_of(study, answer);
   const auto measured = question ? std::optional<double>(question->angle) : std::nullopt;
   data.heaps = draw_heaps(study, runs_to_show(sweep::runs_of(study.store), measured), keeper, quiet);
@@ -91,6 +96,7 @@ nlohmann::ordered_json to_json(const StudyAnswer& answer, const std::string& sou
   if (answer.reachable) json["reachable_deg"] = {answer.reachable->low, answer.reachable->high};
   if (answer.inversion) json["inversion"] = fit::to_json(*answer.inversion);
   if (answer.law) json["fit"] = fit::to_json(*answer.law);
+  json["warnings"] = warnings_json(answer.warnings);
   json["report"] = answer.report.string();
   return json;
 }
@@ -101,6 +107,8 @@ std::string in_words(const StudyAnswer& answer, const std::string& source) {
     text = report::answer_in_words(*answer.law, *answer.inversion, source);
   else if (answer.law)
     text = report::equation_in_words(*answer.law) + "   (degrees)\n";
+  if (!answer.warnings.empty())
+    text += "Runs of the equation that carry a warning:\n" + in_words(answer.warnings);
   return text + fmt::format("The report: {}\n", answer.report.string());
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -15,9 +16,10 @@ struct StudyAnswer {
   std::optional<fit::PowerLaw> law;
   std::string law_reason;  ///< why there is none
   std::optional<fit::Inversion> inversion;
-  std::string inversion_reason;         ///< why there is none, empty if no question was asked
-  std::optional<fit::Range> reachable;  ///< [deg], where the angle is out of reach
-  std::filesystem::path report;         ///< the page
+  std::string inversion_reason;                         ///< why there is none, empty if no question was asked
+  std::optional<fit::Range> reachable;                  ///< [deg], where the angle is out of reach
+  std::map<std::string, sweep::WarningCount> warnings;  ///< of the runs that the equation rests on
+  std::filesystem::path report;                         ///< the page
 
   /// Why there is no answer to the question; empty if there is.
   [[nodiscard]] const std::string& reason() const { return law ? inversion_reason : law_reason; }

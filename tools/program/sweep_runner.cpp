@@ -74,6 +74,19 @@ std::string in_words(const std::map<std::string, int>& outcomes) {
   return text;
 }
 
+std::string in_words(const std::map<std::string, sweep::WarningCount>& warnings) {
+  std::string text;
+  for (const auto& [name, count] : warnings)
+    text += fmt::format("{} × {}: {}\n", count.runs, name, count.example);
+  return text;
+}
+
+nlohmann::ordered_json warnings_json(const std::map<std::string, sweep::WarningCount>& warnings) {
+  auto json = nlohmann::ordered_json::object();
+  for (const auto& [name, count] : warnings) json[name] = {{"runs", count.runs}, {"example", count.example}};
+  return json;
+}
+
 std::string in_words(const sweep::SweepSummary& summary) {
   std::string text = fmt::format("{} of {} runs done", summary.planned - summary.left, summary.planned);
   if (!summary.outcomes.empty()) text += fmt::format(" ({})", in_words(summary.outcomes));
@@ -84,9 +97,15 @@ std::string in_words(const sweep::SweepSummary& summary) {
 }
 
 nlohmann::ordered_json to_json(const sweep::SweepSummary& summary) {
-  return {{"planned", summary.planned}, {"present", summary.present},   {"finished", summary.finished},
-          {"left", summary.left},       {"outcomes", summary.outcomes}, {"interrupted", summary.interrupted},
-          {"wall_s", summary.wall_s},   {"cpu_s", summary.cpu_s}};
+  return {{"planned", summary.planned},
+          {"present", summary.present},
+          {"finished", summary.finished},
+          {"left", summary.left},
+          {"outcomes", summary.outcomes},
+          {"warnings", warnings_json(summary.warnings)},
+          {"interrupted", summary.interrupted},
+          {"wall_s", summary.wall_s},
+          {"cpu_s", summary.cpu_s}};
 }
 
 }  // namespace repose::program

@@ -35,4 +35,9 @@ nlohmann::ordered_json to_json(const sweep::SweepSummary& summary);
 /// "35 completed, 1 no_heap".
 std::string in_words(const std::map<std::string, int>& outcomes);
 
+/// "4 × few_particles: the heap holds …", one warning a line.
+std::string in_words(const std::map<std::string, sweep::WarningCount>& warnings);
+/// {"few_particles": {"runs": 4, "example": "the heap holds …"}}
+nlohmann::ordered_json warnings_json(const std::map<std::string, sweep::WarningCount>& warnings);
+
 }  // namespace repose::program

@@ -38,6 +38,7 @@ nlohmann::ordered_json to_json(const sweep::StudyStatus& status) {
   json["cpu_left_s"] = status.cpu_left_s ? nlohmann::ordered_json(*status.cpu_left_s) : nullptr;
   const auto left = time_left(status);
   json["time_left_s"] = left ? nlohmann::ordered_json(*left) : nullptr;
+  json["warnings"] = warnings_json(status.warnings);
   json["not_completed"] = nlohmann::ordered_json::array();
   for (const sweep::StoredRun& run : status.not_completed)
     json["not_completed"].push_back({{"run_key", run.run_key},
@@ -72,6 +73,7 @@ int status_verb(const StatusOptions& options) {
   for (const sweep::StoredRun& run : status.not_completed)
     fmt::print("  {} (replicate {}): {}: {}\n", factors_in_words(run.factors), run.replicate, run.outcome,
                run.reason);
+  if (!status.warnings.empty()) fmt::print("warnings:\n{}", in_words(status.warnings));
   return kDone;
 }
 

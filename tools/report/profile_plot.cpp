@@ -7,7 +7,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "tools/report/gnuplot.hpp"
+#include "tools/plot/gnuplot.hpp"
 
 namespace repose {
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "tools/report/gnuplot.hpp"
+#include "tools/plot/gnuplot.hpp"
 
 namespace repose::report {
 namespace {

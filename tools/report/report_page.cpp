@@ -192,6 +192,19 @@ std::string heaps_section(const ReportData& data) {
   return "<h2>Heaps</h2>\n<div class=\"heaps\">" + cards + "</div>";
 }
 
+/// Runs that are in the equation, but worth less than they look.
+std::string warnings_section(const ReportData& data) {
+  if (data.warnings.empty()) return {};
+  std::string rows;
+  for (const WarningRow& warning : data.warnings)
+    rows += fmt::format("<tr><td>{}</td><td class=\"number\">{}</td><td>{}</td></tr>\n",
+                        escaped(warning.name), warning.runs, typeset(warning.example));
+  return "<h2>Warnings</h2>\n" +
+         card(
+             "<table><tr><th>warning</th><th class=\"number\">runs</th><th>in the first of them</th></tr>\n" +
+             rows + "</table>");
+}
+
 std::string run_row(const RunRow& run, const ReportData& data,
                     const std::map<std::string, std::string>& reasons) {
   const fit::Observation& row = run.observation;
@@ -199,6 +212,10 @@ std::string run_row(const RunRow& run, const ReportData& data,
   const bool used = data.law && reason == reasons.end();
   const double predicted = used ? data.law->predict(fit::factors_of(row)) : 0.0;
   std::string why = reason != reasons.end() ? reason->second : row.exclusion;
+  std::string outcome = why.empty()                    ? run.outcome
+                        : why.starts_with(run.outcome) ? why
+                                                       : run.outcome + "; " + why;
+  if (!run.warnings.empty()) outcome += "; warnings: " + run.warnings;
   const bool has_angle = std::isfinite(row.angle) && row.angle > 0.0;
   std::string angle = has_angle ? fmt::format("{:.2f}", row.angle) : "–";
   if (has_angle && row.standard_error > 0.0) angle += fmt::format(" ± {:.2f}", row.standard_error);
@@ -207,10 +224,7 @@ std::string run_row(const RunRow& run, const ReportData& data,
       "<td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>"
       "<td class=\"number\">{}</td></tr>\n",
       why.empty() ? "" : " class=\"left-out\"", escaped(row.label), number(row.e), number(row.mu_s),
-      number(row.mu_r),
-      escaped(why.empty() || why.starts_with(run.outcome) ? (why.empty() ? run.outcome : why)
-                                                          : run.outcome + "; " + why),
-      angle, used ? fmt::format("{:.2f}", predicted) : "–",
+      number(row.mu_r), escaped(outcome), angle, used ? fmt::format("{:.2f}", predicted) : "–",
       used ? with_minus(fmt::format("{:+.2f}", predicted - row.angle)) : "–",
       run.cpu ? fmt::format("{:.1f}", *run.cpu) : "–");
 }
@@ -266,7 +280,7 @@ std::string page_of(const ReportData& data, const Charts& charts) {
           "</h1><p class=\"soft\">Friction of particles from the angle of repose</p></header>\n";
   page += answer_section(data, charts);
   if (data.law) page += equation_section(data, charts);
-  page += heaps_section(data) + runs_section(data) + facts_section(data);
+  page += heaps_section(data) + warnings_section(data) + runs_section(data) + facts_section(data);
   if (!data.made_by.empty()) page += "<footer>" + escaped(data.made_by) + "</footer>\n";
   return page + "</main>\n</body>\n</html>\n";
 }

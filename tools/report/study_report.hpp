@@ -34,6 +34,14 @@ struct RunRow {
   fit::Observation observation;  ///< the same row that went into the fit
   std::string outcome;           ///< "completed", "no_heap", …
   std::optional<double> cpu;     ///< CPU time [s]
+  std::string warnings = {};     ///< names of its warnings, joined by blanks; may be empty
+};
+
+/// A warning that runs of the equation carry.
+struct WarningRow {
+  std::string name;
+  int runs = 0;
+  std::string example;  ///< what it says in the first of them
 };
 
 /// Everything that the page says, as plain data. What is not there (no fit, no measured angle, no pictures)
@@ -48,6 +56,7 @@ struct ReportData {
   std::string
       inversion_reason;  ///< why there is no inversion (an angle out of reach); empty if none was asked
   std::vector<RunRow> runs;
+  std::vector<WarningRow> warnings;
   std::vector<Picture> heaps;
   std::vector<FactGroup> inputs;  ///< of the scene
   std::vector<Fact> cost;

@@ -149,6 +149,17 @@ TEST(HeapMeasurement, AQuarterTurnExchangesTheFlanks) {
   EXPECT_NEAR(turned.standard_error, straight.standard_error, 1e-5);
 }
 
+/// The cone z = 70 mm − 0.6 r meets the base at r = 117 mm.
+TEST(HeapMeasurement, SaysWhetherTheEdgeCutsTheHeap) {
+  HeapSnapshot heap = exact_cone(0.6, 0.6, 0.07, 0.0, 0.0);
+  heap.base_radius = 0.0975;
+  EXPECT_TRUE(measure_heap(heap).reaches_edge);
+  heap.base_radius = 0.2;
+  EXPECT_FALSE(measure_heap(heap).reaches_edge);
+  heap.base_radius = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(measure_heap(heap).reaches_edge);
+}
+
 TEST(HeapMeasurement, StraysChangeNothing) {
   HeapRecipe recipe;
   const HeapMeasurement clean = measure_heap(SyntheticHeap(packing(), recipe).snapshot);
@@ -207,6 +218,7 @@ TEST(NoHeap, OneLayer) {
     for (int i = -8; i <= 8; ++i) add_sphere_body(heap, {i * kDiameter, j * kDiameter, 0.5 * kDiameter});
   }
   expect_no_heap(heap, "one layer");
+  EXPECT_FALSE(measure_heap(heap).unreadable) << "there is no heap, however it were read";
 }
 
 TEST(NoHeap, ALevelBed) {
@@ -231,6 +243,7 @@ TEST(NoHeap, AFlankThatTheEdgeCutsAway) {
   }
   cut.base_radius = 0.0975;
   expect_no_heap(cut, "flank +x");
+  EXPECT_TRUE(measure_heap(cut).unreadable);
 }
 
 TEST(NoHeap, APositionThatIsNotANumber) {
@@ -246,7 +259,10 @@ TEST(HeapMeasurement, AFlatHeapIsReadAndFlagged) {
   const SyntheticHeap heap(packing(), recipe);
   const HeapMeasurement measured = measure_heap(heap.snapshot);
   ASSERT_TRUE(measured.has_heap) << measured.reason;
-  EXPECT_NE(measured.reason.find("flat heap"), std::string::npos) << measured.reason;
+  ASSERT_FALSE(measured.warnings.empty());
+  EXPECT_EQ(measured.warnings[0].name, "flat_heap");
+  EXPECT_NE(measured.warnings[0].text.find("body diameters high"), std::string::npos)
+      << measured.warnings[0].text;
   EXPECT_NEAR(degrees(measured.angle), 8.0, 1.0);
 }
 
@@ -257,7 +273,7 @@ TEST(HeapMeasurement, AStandingColumnIsNeverAQuietAngle) {
     if (std::hypot(centre.x(), centre.y()) < 0.03) add_sphere_body(heap, centre, 2.0 * kDiameter * s.radius);
   }
   const HeapMeasurement measured = measure_heap(heap);
-  EXPECT_FALSE(measured.has_heap && measured.reason.empty()) << degrees(measured.angle);
+  EXPECT_FALSE(measured.has_heap && measured.warnings.empty()) << degrees(measured.angle);
 }
 
 TEST(HeapMeasurement, SizesOfARatioOfTenDoNotHurt) {

@@ -84,6 +84,18 @@ TEST(StudyReport, ListsEveryRunAndWhyItIsLeftOut) {
   EXPECT_EQ(count_of(page, "<td>completed; mu_s = 0: a power law cannot take a factor at 0</td>"), 1);
 }
 
+TEST(StudyReport, NamesTheWarningsOfRunsAndHowManyCarryThem) {
+  const TemporaryFolder folder;
+  ReportData data = full_report();
+  EXPECT_EQ(count_of(written(data, folder), "<h2>Warnings</h2>"), 0);
+  data.runs[3].warnings = "few_particles coarse_step";
+  data.warnings = {{"coarse_step", 7, "a step of 2 < 3"}};
+  const std::string page = written(data, folder);
+  EXPECT_EQ(count_of(page, "<h2>Warnings</h2>"), 1);
+  EXPECT_EQ(count_of(page, "<td>completed; warnings: few_particles coarse_step</td>"), 1);
+  EXPECT_EQ(count_of(page, "<td>coarse_step</td><td class=\"number\">7</td><td>a step of 2 &lt; 3</td>"), 1);
+}
+
 TEST(StudyReport, FoldsALongTableOfRuns) {
   const TemporaryFolder folder;
   EXPECT_EQ(count_of(written(report_of(table({0.3}, {0.05, 0.1, 0.2})), folder), "<details>"), 0);

@@ -254,6 +254,13 @@ const BadCase kBadCases[] = {
     {"RollingDampingNegative",
      R"({"contact": {"rolling_damping_ratio": -0.3}})",
      {"case.json: /contact/rolling_damping_ratio = -0.3: must be >= 0"}},
+    {"RollingTorqueUnknown",
+     R"({"contact": {"rolling_torque": "none"}})",
+     {"case.json: /contact/rolling_torque = \"none\": must be one of \"limited\", \"unlimited\""}},
+    {"IntegratorUnknown",
+     R"({"numerics": {"integrator": "euler"}})",
+     {"case.json: /numerics/integrator = \"euler\": must be one of \"symplectic_euler\", "
+      "\"velocity_verlet\", \"explicit_euler\""}},
 
     // Test
     {"KindMissing", R"({"test": {"kind": null}})", {"case.json: /test/kind: is missing"}},

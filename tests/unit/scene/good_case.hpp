@@ -31,7 +31,8 @@ inline Json good_case() {
       "rolling_model": "type_c",
       "tangential_history": "displacement",
       "normal_damping": "clamped",
-      "rolling_damping_ratio": 0.2
+      "rolling_damping_ratio": 0.2,
+      "rolling_torque": "unlimited"
     },
     "test": {
       "kind": "lifted_cylinder",
@@ -40,7 +41,7 @@ inline Json good_case() {
       "pour_rate_kg_s": 4.0, "pour_speed_m_s": 1.5, "opening_speed_m_s": 0.5
     },
     "numerics": {
-      "time_step_fraction": 0.2, "stiffness_scale": 0.5, "settle_energy_ratio": 2e-4,
+      "time_step_fraction": 0.2, "stiffness_scale": 0.5, "integrator": "velocity_verlet", "settle_energy_ratio": 2e-4,
       "rest_energy_ratio": 3e-5, "stage_time_limit_s": 6.0
     },
     "measure": { "window": [0.1, 0.7] }

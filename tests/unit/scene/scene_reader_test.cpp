@@ -34,6 +34,8 @@ TEST(SceneReader, ReadsEveryValueInSiUnits) {
   EXPECT_EQ(scene.contact.tangential_history, TangentialHistory::displacement);
   EXPECT_EQ(scene.contact.normal_damping, NormalDamping::clamped);
   EXPECT_EQ(scene.contact.rolling_damping_ratio, 0.2);
+  EXPECT_EQ(scene.contact.rolling_torque, RollingTorque::unlimited);
+  EXPECT_EQ(scene.numerics.integrator, Integrator::velocity_verlet);
   EXPECT_EQ(scene.test.kind, TestKind::lifted_cylinder);
   EXPECT_EQ(scene.test.base_radius, 0.0975);
   EXPECT_EQ(scene.test.base_height, 0.04);
@@ -56,7 +58,7 @@ TEST(SceneReader, LeavesTheDefaultsOfTheSceneWhereACaseIsSilent) {
   const Scene scene = scene_of(R"({
     "title": null, "numerics": null, "measure": null,
     "contact": {"rolling_model": null, "tangential_history": null, "normal_damping": null,
-                "rolling_damping_ratio": null},
+                "rolling_damping_ratio": null, "rolling_torque": null},
     "test": {"base": {"height_mm": null}, "pour_rate_kg_s": null, "pour_speed_m_s": null,
              "opening_speed_m_s": null}})");
   EXPECT_EQ(scene.title, "");
@@ -64,6 +66,8 @@ TEST(SceneReader, LeavesTheDefaultsOfTheSceneWhereACaseIsSilent) {
   EXPECT_EQ(scene.contact.tangential_history, TangentialHistory::force);
   EXPECT_EQ(scene.contact.normal_damping, NormalDamping::with_tail);
   EXPECT_EQ(scene.contact.rolling_damping_ratio, 0.3);
+  EXPECT_EQ(scene.contact.rolling_torque, RollingTorque::limited);
+  EXPECT_EQ(scene.numerics.integrator, Integrator::symplectic_euler);
   EXPECT_EQ(scene.test.base_height, 0.05);
   EXPECT_EQ(scene.test.pour_rate, 5.0);
   EXPECT_EQ(scene.test.pour_speed, 1.0);

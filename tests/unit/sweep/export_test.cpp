@@ -79,6 +79,21 @@ TEST_F(ExportTest, LeavesNoAngleForARunThatDidNotCompleteAndQuotesItsReason) {
   EXPECT_EQ(cell(table, 0, "mass_on_base_kg"), "0.04");
 }
 
+TEST_F(ExportTest, NamesWarningsInAColumnAndTheirTextsInAnother) {
+  make(factorial(1), [](const Scene& scene, std::uint64_t seed, const RunOptions& options) {
+    RunResult result = fake_run(scene, seed, options);
+    result.warnings = {{"few_particles", "only 90, pour more"}, {"slow_opening", "0.1 m/s"}};
+    return result;
+  });
+  const CsvTable table = exported();
+  EXPECT_EQ(cell(table, 0, "warnings"), "few_particles slow_opening");
+  EXPECT_EQ(cell(table, 0, "warning_details"), "few_particles: only 90, pour more | slow_opening: 0.1 m/s");
+  EXPECT_EQ(cell(table, 0, "outcome"), "completed");
+  const StudyStatus status = status_of(folder_ / "study");
+  EXPECT_EQ(status.warnings.at("slow_opening").runs, 6);
+  EXPECT_EQ(status.warnings.at("slow_opening").example, "0.1 m/s");
+}
+
 TEST_F(ExportTest, LeavesOutWhatALaterVersionHasMadeAgain) {
   make(factorial(1));
   Study study = open_study(folder_ / "study");

@@ -30,6 +30,9 @@ StoredRun run_of(const std::string& key) {
   run.factors = {{"mu_s", 1.0 / 3.0}, {"/particles/total_mass_kg", 0.05}};
   run.outcome = "completed";
   run.reason = "it's \"quoted\", μ";
+  run.warnings = "few_particles coarse_step";
+  run.warning_details = "few_particles: 100 bodies | coarse_step: of 5.1";
+  run.reaches_edge = 1;
   run.angle_deg = 30.000000000000004;
   run.angles_deg = {29.0, 31.0, 30.5, std::nullopt};
   run.steps = 123456789012;
@@ -189,7 +192,41 @@ TEST_F(StoreTest, RefusesADatabaseOfSomethingElse) {
 TEST_F(StoreTest, RefusesAStudyOfANewerVersion) {
   Store::open_or_create(study());
   Database(file(), Database::Mode::write).execute("PRAGMA user_version = 99");
-  EXPECT_EQ(refusal(), "study.sqlite: was written by a newer version of the program (schema 99, known: 1)");
+  EXPECT_EQ(refusal(), "study.sqlite: was written by a newer version of the program (schema 99, known: 2)");
+}
+
+TEST_F(StoreTest, GivesAStudyOfAnOlderVersionTheColumnsItLacksAndKeepsItsRuns) {
+  StoredRun old = run_of("old");
+  old.warnings = old.warning_details = "";
+  old.reaches_edge.reset();
+  Store::open_or_create(study()).put(old);
+  {
+    Database database(file(), Database::Mode::write);
+    for (const char* column : {"warnings", "warning_details", "mass_lost_kg", "reaches_edge",
+                               "energy_imbalance", "column_overlap_ratio", "stability_number"})
+      database.execute(std::string("ALTER TABLE runs DROP COLUMN ") + column);
+    database.execute("PRAGMA user_version = 1");
+  }
+  Store store = Store::open(study());
+  ASSERT_EQ(store.runs().size(), 1U);
+  EXPECT_TRUE(same_columns(store.runs()[0], old));
+  EXPECT_EQ(store.put(run_of("new")), Store::Put::stored);
+  EXPECT_EQ(Store::open(study()).runs().size(), 2U);
+  EXPECT_EQ(Database(file(), Database::Mode::read).integer("PRAGMA user_version"), 2);
+}
+
+TEST(CountWarnings, SplitsWhatARunCarriesAndKeepsTheFirstText) {
+  std::map<std::string, WarningCount> counts;
+  StoredRun run = run_of("a");
+  count_warnings(run, counts);
+  run.warning_details = "coarse_step: of 9";
+  count_warnings(run, counts);
+  run.warning_details = "";
+  count_warnings(run, counts);
+  ASSERT_EQ(counts.size(), 2U);
+  EXPECT_EQ(counts.at("few_particles").runs, 1);
+  EXPECT_EQ(counts.at("coarse_step").runs, 2);
+  EXPECT_EQ(counts.at("coarse_step").example, "of 5.1");
 }
 
 TEST_F(StoreTest, RefusesADamagedStudy) {

@@ -1,6 +1,5 @@
 #include <array>
 
-#include "engine/contact/law_parameters.hpp"
 #include "reference/normal_impact.hpp"
 #include "support/test_scene.hpp"
 #include "verification/table/row.hpp"
@@ -44,79 +43,91 @@ Rows falls_and_bounces() {
   return {fall.row(), bounce.row()};
 }
 
-/// Two unequal spheres squeezed between two walls: their paths against Runge–Kutta steps of the equations of
-/// motion.
-Rows squeezed_spheres() {
-  const double r = 5e-3, density = 4000.0, e = 0.8;
-  const Material material{density, 1e8, 0.3};
-  const Scene scene = test::scene_of({sphere_clump(r), sphere_clump(0.8 * r)}, material, {e, 0.0, 0.0});
-  // From the left wall at x = 0: sphere, smaller sphere, right wall; all three contacts pressed by 1 % of r
-  // or more.
-  const double length = 2.0 * r + 1.6 * r - 0.05 * r;
-  std::array<double, 4> y{0.99 * r, length - 0.78 * r, 0.0, 0.0};
-  const double end = 4e-3, dt = 1e-7;
-
-  const auto contact = [&](double R_eff, double m_eff, double Y_eff) {
-    return reference::NormalImpact{Y_eff, R_eff, m_eff, 2.0 * std::sqrt(5.0 / 6.0) * damping_ratio(e), false};
-  };
-  const double m_1 = density * sphere_clump(r).volume, m_2 = density * sphere_clump(0.8 * r).volume;
-  const double Y = material.shear_modulus / (1.0 - material.poisson_ratio);  // Y*, of two alike
-  const auto left = contact(r, m_1, Y), middle = contact(r * 0.8 / 1.8, m_1 * m_2 / (m_1 + m_2), Y),
-             right = contact(0.8 * r, m_2, Y);
-  const auto rate = [&](const std::array<double, 4>& s) {
-    const double F_l = left.force(r - s[0], -s[2]), F_m = middle.force(1.8 * r - (s[1] - s[0]), s[2] - s[3]),
-                 F_r = right.force(s[1] + 0.8 * r - length, s[3]);
-    return std::array<double, 4>{s[2], s[3], (F_l - F_m) / m_1, (F_m - F_r) / m_2};
-  };
-  const auto moved = [](const std::array<double, 4>& s, const std::array<double, 4>& k, double step) {
-    return std::array<double, 4>{s[0] + step * k[0], s[1] + step * k[1], s[2] + step * k[2],
-                                 s[3] + step * k[3]};
-  };
-
-  Simulation simulation(scene, dt);
-  simulation.walls = {test::side_wall(length, 1e6 * r), test::side_wall(0.0, 1e6 * r)};
-  simulation.walls[1].kind = Wall::Kind::half_shell_minus;
-  simulation.walls[1].x_offset = simulation.walls[1].radius;
-  NewBody body;
-  body.position = {y[0], 0.0, 0.0};
-  simulation.add(body);
-  body.shape = 1;
-  body.position = {y[1], 0.0, 0.0};
-  simulation.add(body);
-  // Velocities of the leapfrog stand half a step before the positions.
-  Worst worst("two spheres squeezed between walls: paths over the first swing",
-              "Runge–Kutta of the equations", kBounceBar);
-  const auto start = y;
-  std::array<double, 2> low{y[0], y[1]}, high = low;
-  struct Point {
-    double theory, result;
-    int sphere;
-  };
-  std::vector<Point> points;
-  while (simulation.time() < end) {
-    simulation.step();
-    const auto k1 = rate(y), k2 = rate(moved(y, k1, 0.5 * dt)), k3 = rate(moved(y, k2, 0.5 * dt)),
-               k4 = rate(moved(y, k3, dt));
-    for (std::size_t k = 0; k < 4; ++k) y[k] += dt / 6.0 * (k1[k] + 2.0 * (k2[k] + k3[k]) + k4[k]);
-    for (std::size_t k = 0; k < 2; ++k) {
-      low[k] = std::min(low[k], y[k]), high[k] = std::max(high[k], y[k]);
-      if (simulation.steps() % 50 == 0)
-        points.push_back({y[k] - start[k], simulation.bodies().x[k] - start[k], static_cast<int>(k)});
+/// Two unequal spheres stacked between a floor and a ceiling: their paths against Runge–Kutta steps of the
+/// equations of motion. Heights are along x: floor and ceiling are flat side walls that are pulled along +x
+/// with g, so that seen from them gravity presses the stack on the floor; the common fall along −z moves
+/// nothing against anything, for there is no friction.
+class Stack {
+ public:
+  Row run() const {
+    const double end = 1.5e-3, dt = 5e-8;
+    Simulation simulation(
+        test::scene_of({sphere_clump(kLower), sphere_clump(kUpper)}, material_, {kE, 0.0, 0.0}), dt);
+    simulation.walls = {test::side_wall(kHeight, 1e6 * kLower), test::side_wall(0.0, 1e6 * kLower)};
+    simulation.walls[1].kind = Wall::Kind::half_shell_minus;
+    simulation.walls[1].x_offset = simulation.walls[1].radius;
+    State y{kLower - 0.01 * kLower, kHeight - 0.98 * kUpper, 0.0, 0.0};
+    const State start = y, pull = rate(y);
+    for (int k = 0; k < 2; ++k) {
+      NewBody body;
+      body.shape = k;
+      body.position = {y[at(k)], 0.0, 0.0};
+      body.velocity.x() = -0.5 * dt * (pull[at(2 + k)] + kGravity);  // leapfrog: half a step before
+      simulation.add(body);
     }
+    std::array<double, 2> low{y[0], y[1]}, high = low;
+    std::vector<std::array<double, 4>> points;  // theory and result of both
+    while (simulation.time() < end) {
+      for (Wall& wall : simulation.walls) wall.velocity.x() = kGravity * (simulation.time() + 0.5 * dt);
+      simulation.step();
+      y = advanced(y, dt);
+      const double risen = 0.5 * kGravity * simulation.time() * simulation.time();
+      for (std::size_t k = 0; k < 2; ++k) low[k] = std::min(low[k], y[k]), high[k] = std::max(high[k], y[k]);
+      if (simulation.steps() % 50 == 0)
+        points.push_back({y[0] - start[0], simulation.bodies().x[0] - risen - start[0], y[1] - start[1],
+                          simulation.bodies().x[1] - risen - start[1]});
+    }
+    Worst worst("two stacked spheres between floor and ceiling: their paths", "Runge–Kutta of the equations",
+                kBounceBar);
+    for (const auto& p : points) {
+      worst.add(p[0], p[1], high[0] - low[0]);
+      worst.add(p[2], p[3], high[1] - low[1]);
+    }
+    return worst.row();
   }
-  for (const Point& p : points) {
-    const auto k = static_cast<std::size_t>(p.sphere);
-    worst.add(p.theory, p.result, high[k] - low[k]);
+
+ private:
+  using State = std::array<double, 4>;  ///< heights, speeds
+  static constexpr double kLower = 5e-3, kUpper = 4e-3, kE = 0.8;
+  static constexpr double kHeight = 2.0 * (kLower + kUpper) - 0.05 * kLower;
+
+  static std::size_t at(int k) { return static_cast<std::size_t>(k); }
+
+  [[nodiscard]] State rate(const State& s) const {
+    const double F_floor = floor_.force(kLower - s[0], -s[2]),
+                 F_pair = pair_.force(kLower + kUpper - (s[1] - s[0]), s[2] - s[3]),
+                 F_ceiling = ceiling_.force(s[1] + kUpper - kHeight, s[3]);
+    return {s[2], s[3], (F_floor - F_pair) / m_lower_ - kGravity, (F_pair - F_ceiling) / m_upper_ - kGravity};
   }
-  return {worst.row()};
-}
+  [[nodiscard]] State advanced(const State& s, double dt) const {
+    const auto moved = [](const State& from, const State& slope, double step) {
+      State to = from;
+      for (std::size_t k = 0; k < 4; ++k) to[k] += step * slope[k];
+      return to;
+    };
+    const State k1 = rate(s), k2 = rate(moved(s, k1, 0.5 * dt)), k3 = rate(moved(s, k2, 0.5 * dt)),
+                k4 = rate(moved(s, k3, dt));
+    State next = s;
+    for (std::size_t k = 0; k < 4; ++k) next[k] += dt / 6.0 * (k1[k] + 2.0 * (k2[k] + k3[k]) + k4[k]);
+    return next;
+  }
+
+  Material material_{4000.0, 1e8, 0.3};
+  double m_lower_ = material_.density * sphere_clump(kLower).volume;
+  double m_upper_ = material_.density * sphere_clump(kUpper).volume;
+  double Y_ = material_.shear_modulus / (1.0 - material_.poisson_ratio);  ///< Y*, of two alike
+  double gamma_ = reference::gamma_for_rebound(kE, false);
+  reference::NormalImpact floor_{Y_, kLower, m_lower_, gamma_, false};
+  reference::NormalImpact pair_{Y_, kLower* kUpper / (kLower + kUpper),
+                                m_lower_* m_upper_ / (m_lower_ + m_upper_), gamma_, false};
+  reference::NormalImpact ceiling_{Y_, kUpper, m_upper_, gamma_, false};
+};
 
 }  // namespace
 
 Rows bounce_rows() {
   Rows rows = falls_and_bounces();
-  const Rows more = squeezed_spheres();
-  rows.insert(rows.end(), more.begin(), more.end());
+  rows.push_back(Stack().run());
   return rows;
 }
 

@@ -47,14 +47,17 @@ Rows restitution_rows();
 Rows sliding_and_rolling_rows();
 Rows cycle_rows();
 Rows bounce_rows();
+Rows integrator_rows();
 Rows rotation_rows();
 Rows clump_rows();
+Rows heap_angle_rows();
 
 /// Every row, in the order of the table.
 inline Rows all_rows() {
   Rows all;
-  for (const auto part : {normal_impact_rows, oblique_impact_rows, restitution_rows, cycle_rows,
-                          sliding_and_rolling_rows, bounce_rows, rotation_rows, clump_rows}) {
+  for (const auto part :
+       {normal_impact_rows, oblique_impact_rows, restitution_rows, cycle_rows, sliding_and_rolling_rows,
+        bounce_rows, integrator_rows, rotation_rows, clump_rows, heap_angle_rows}) {
     const Rows rows = part();
     all.insert(all.end(), rows.begin(), rows.end());
   }

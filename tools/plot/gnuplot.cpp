@@ -1,4 +1,4 @@
-#include "tools/report/gnuplot.hpp"
+#include "tools/plot/gnuplot.hpp"
 
 #include <sys/wait.h>
 #include <unistd.h>
