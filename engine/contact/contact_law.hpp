@@ -26,6 +26,7 @@ struct ContactGeometry {
   T R_eff;             ///< R* [m]
   T m_eff;             ///< m* [kg]
   T inertia_or_limit;  ///< see RollingContact
+  T inverse_m_eff;     ///< 1/m* [1/kg]; used where ContactTiming::lag is
 };
 
 template <class T>
@@ -90,16 +91,26 @@ REPOSE_INLINE ContactForces<T> contact_forces(const LawParameters& law, const Co
   const ContactStiffness<T> stiffness = contact_stiffness(law, contact.R_eff, contact.m_eff, contact.overlap);
   const NormalForce<T> normal = normal_force(law, stiffness, contact.overlap, v_normal_damped);
 
-  history.tangential.value = turned_spring(history.tangential.value, contact.n, i.w, j.w, dt);
-  const TangentialForce<T> tangent =
-      tangential_force(law, stiffness, normal.total, v_tangent, v_tangent_damped, dt, history.tangential);
+  // One division serves three: by the square of the turned spring, the contact's old radius and the relative
+  // spin. A division takes as long as some twenty multiplications.
+  const TurnedSpring<T> turned = turned_spring(history.tangential.value, contact.n, i.w, j.w, dt);
+  const auto known = history.tangential.root > 0.0;
+  const T root_before = select(known, history.tangential.root, T(1.0));
+  const Triple<T> w_rel = i.w - j.w;
+  T spin = 1.0;
+  if constexpr (kModel == RollingModel::type_a_relative) spin = spin_or_one(w_rel);
+  const T inverse = 1.0 / (turned.after * root_before * spin);
+  history.tangential.value = turned.with_old_length(inverse * root_before * spin);
+  const T unloading = stiffness.root * (inverse * turned.after * spin);
+  const TangentialForce<T> tangent = tangential_force(law, stiffness, normal.total, v_tangent,
+                                                      v_tangent_damped, unloading, dt, history.tangential);
 
   ContactForces<T> result;
   result.force = normal.total * contact.n + tangent.total;
   result.rolling_torque = {T(0.0), T(0.0), T(0.0)};
   result.F_n = normal.total;
   if (timing.booked) {
-    const T per_mass = timing.lag / contact.m_eff;
+    const T per_mass = timing.lag * contact.inverse_m_eff;
     const T damped =
         dot(tangent.damping, v_tangent_damped) + 3.5 * per_mass * dot(tangent.damping, tangent.total);
     result.power.normal_damping =
@@ -112,7 +123,7 @@ REPOSE_INLINE ContactForces<T> contact_forces(const LawParameters& law, const Co
   if constexpr (kModel != RollingModel::type_a) {
     const double modulus = kModel == RollingModel::type_c ? (4.0 / 3.0) * law.young : 8.0 * law.shear;
     const RollingContact<T> rolling{
-        contact.n,      i.w - j.w,    contact.R_eff,           modulus * stiffness.root,
+        contact.n,      w_rel,        contact.R_eff,           modulus * stiffness.root,
         normal.elastic, normal.total, contact.inertia_or_limit};
     Triple<T> mean;
     if constexpr (has_rolling_spring(kModel)) {
@@ -120,7 +131,7 @@ REPOSE_INLINE ContactForces<T> contact_forces(const LawParameters& law, const Co
       result.rolling_torque = rolling_spring<kModel>(law, rolling, dt, history.rolling);
       mean = result.rolling_torque - T(0.5) * (history.rolling - previous);
     } else {
-      mean = result.rolling_torque = constant_torque(law, rolling);
+      mean = result.rolling_torque = constant_torque(law, rolling, inverse * turned.after * root_before);
     }
     if (timing.booked) result.power.rolling = T(0.0) - dot(mean, rolling.w_rel);
   }

@@ -50,6 +50,19 @@ struct TangentialSpring {
   T root;           ///< √(R* δ) of the last step [m]; 0 for a new contact
 };
 
+/// The spring of the last step, turned into the tangent plane of this one but not yet with its old length.
+template <class T>
+struct TurnedSpring {
+  Triple<T> flat;
+  T before;  ///< square of the old length
+  T after;   ///< square of the length of `flat`; 1 where there is none
+
+  /// @param inverse_after  1/after
+  REPOSE_INLINE Triple<T> with_old_length(const T& inverse_after) const {
+    return square_root(T(before * inverse_after)) * flat;
+  }
+};
+
 /// The spring of the last step, carried with the contact as the pair moves: turned with its normal and with
 /// the mean spin of the two bodies about it, so that a pair that rotates as one body keeps its tangential
 /// force.
@@ -57,14 +70,14 @@ struct TangentialSpring {
 /// Projection leaves the tangent plane to second order in the angle of a step; the old length is restored
 /// exactly.
 template <class T>
-REPOSE_INLINE Triple<T> turned_spring(const Triple<T>& spring, const Triple<T>& n, const Triple<T>& w_i,
-                                      const Triple<T>& w_j, double dt) {
+REPOSE_INLINE TurnedSpring<T> turned_spring(const Triple<T>& spring, const Triple<T>& n, const Triple<T>& w_i,
+                                            const Triple<T>& w_j, double dt) {
   const T spin = (0.5 * dt) * dot(w_i + w_j, n);
   const Triple<T> spun = spring + spin * cross(n, spring);
   const Triple<T> flat = spun - dot(spun, n) * n;
-  const T before = dot(spring, spring);
+  constexpr double kNone = 1e-60;  // square of what no force or displacement counts as
   const T after = dot(flat, flat);
-  return square_root(T(select(after > 0.0, T(before / select(after > 0.0, after, T(1.0))), T(0.0)))) * flat;
+  return {flat, dot(spring, spring), select(after > kNone, after, T(1.0))};
 }
 
 template <class T>
@@ -88,13 +101,15 @@ struct TangentialForce {
 /// impact at e = 0.1.
 /// @param v_tangent  (v_i − v_j) − v_n n at the contact point, by which the spring is stretched [m/s]
 /// @param v_damped   the same for damping; another where velocities are carried on in time
+/// @param unloading  a/a_old; anything for a new contact
 /// @param spring     in: turned spring of the last step; out: of this one
 /// Source: article eq. 4; Mindlin & Deresiewicz 1953.
 template <class T>
 REPOSE_INLINE TangentialForce<T> tangential_force(const LawParameters& law,
                                                   const ContactStiffness<T>& stiffness, const T& F_n,
                                                   const Triple<T>& v_tangent, const Triple<T>& v_damped,
-                                                  double dt, TangentialSpring<T>& spring) {
+                                                  const T& unloading, double dt,
+                                                  TangentialSpring<T>& spring) {
   const T S_t = 8.0 * law.shear * stiffness.root;
   TangentialForce<T> force;
   force.damping = (law.tangent_damping * stiffness.root_normal) * v_damped;
@@ -105,9 +120,8 @@ REPOSE_INLINE TangentialForce<T> tangential_force(const LawParameters& law,
     return select(beyond, T(limit / select(beyond, size, T(1.0))), T(1.0));
   };
   if (law.history == TangentialHistory::force) {
-    const auto unloading = stiffness.root < spring.root;
-    const T ratio = select(unloading, T(stiffness.root / select(unloading, spring.root, T(1.0))), T(1.0));
-    const Triple<T> damped = ratio * spring.value - (S_t * dt) * v_tangent - force.damping;
+    const Triple<T> damped =
+        smaller(unloading, T(1.0)) * spring.value - (S_t * dt) * v_tangent - force.damping;
     force.previous = spring.value;
     force.kept = cut(damped);
     force.total = force.kept * damped;
@@ -115,14 +129,13 @@ REPOSE_INLINE TangentialForce<T> tangential_force(const LawParameters& law,
   } else {
     const Triple<T> stretched = spring.value + T(dt) * v_tangent;
     const Triple<T> elastic = T(-S_t) * stretched;
-    const T kept = cut(elastic);
+    const auto slides = dot(elastic, elastic) > limit * limit;
     const Triple<T> none{T(0.0), T(0.0), T(0.0)};
-    force.damping = select3(kept < 1.0, none, force.damping);
-    const Triple<T> damped = kept * elastic - force.damping;
+    const Triple<T> damped = elastic - select3(slides, none, force.damping);
     force.previous = T(-8.0 * law.shear) * spring.root * spring.value;
-    const T kept_damped = cut(damped);
-    force.kept = kept * kept_damped;
-    force.total = kept_damped * damped;
+    force.kept = cut(damped);
+    force.total = force.kept * damped;
+    const T kept = select(slides, force.kept, T(1.0));
     force.spring = kept * elastic;
     force.damping = force.spring - force.total;
     spring.value = kept * stretched;

@@ -25,20 +25,29 @@ REPOSE_INLINE Triple<T> across(const Triple<T>& vector, const Triple<T>& n) {
   return vector - dot(vector, n) * n;
 }
 
+/// |ω_rel|, or 1 where nothing turns, so that it can be divided by, and so can its product with other
+/// factors.
+template <class T>
+REPOSE_INLINE T spin_or_one(const Triple<T>& w_rel) {
+  constexpr double kNone = 1e-60;  // [rad/s]
+  const T spin = length(w_rel);
+  return select(spin > kNone, spin, T(1.0));
+}
+
 /// Constant torque against the relative rotation (type_a_relative, LIGGGHTS `cdt`):
 ///   M = −μr |F_elastic| R* ω_rel/|ω_rel|, without its part along n.
 /// Bounded (LawParameters::torque_limited) by what stops the relative rotation within one step, shared over
 /// the contacts of both bodies (inertia_or_limit): unbounded, the sign of ω_rel flips at every step of a heap
 /// at rest, which then never rests.
+/// @param inverse_spin  1/|ω_rel|, of spin_or_one
 /// @return torque on i; on j the opposite [N m]
 template <class T>
-REPOSE_INLINE Triple<T> constant_torque(const LawParameters& law, const RollingContact<T>& contact) {
-  const T spin = length(contact.w_rel);
+REPOSE_INLINE Triple<T> constant_torque(const LawParameters& law, const RollingContact<T>& contact,
+                                        const T& inverse_spin) {
   const T full = law.rolling * absolute(contact.F_elastic) * contact.R_eff;
-  const T size = law.torque_limited ? smaller(full, T(contact.inertia_or_limit * spin)) : full;
-  const auto turns = spin > 0.0;
-  const T factor = select(turns, T(-size / select(turns, spin, T(1.0))), T(0.0));
-  return factor * across(contact.w_rel, contact.n);
+  T factor = full * inverse_spin;
+  if (law.torque_limited) factor = smaller(factor, contact.inertia_or_limit);
+  return T(-factor) * across(contact.w_rel, contact.n);
 }
 
 /// Elastic–plastic rolling spring (Ai et al. 2011, model C; LIGGGHTS `epsd`, `epsd2`):

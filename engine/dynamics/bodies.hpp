@@ -36,10 +36,11 @@ struct alignas(64) BodyLoad {
   double contacts = 0.0;  ///< number of sphere contacts with other bodies and walls
 };
 
-/// World axes of a body's principal frame, one column a row of four, so that an offset is placed with three
-/// vector steps.
-struct alignas(32) BodyAxes {
+/// Where a body's spheres are: the world axes of its principal frame, one column a row of four, and its
+/// centre of mass, so that an offset is placed with four vector steps. Two cache lines.
+struct alignas(64) BodyAxes {
   double column[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+  double position[4] = {};  ///< [m]
 };
 
 /// A body to be added.
@@ -70,6 +71,10 @@ struct Bodies {
   std::vector<double> inverse_i1, inverse_i2, inverse_i3;  ///< 1/principal moments [1/(kg m²)]
   std::vector<double> reach;                               ///< bounding radius about the centre of mass [m]
   std::vector<double> swing;  ///< largest distance of a sphere's centre from the centre of mass [m]
+  /// Path of the body's fastest point so far, at least: Σ Δt |v| + swing Σ |turns| [m]. It bounds how far any
+  /// of its spheres has come since any earlier value.
+  std::vector<double> travel;
+  std::vector<double> pace;  ///< by how much travel grew at the last step [m]
   std::vector<BodyMotion> motion;
   std::vector<BodyLoad> load;
   std::vector<BodyLead> lead;

@@ -11,28 +11,22 @@
 namespace repose {
 
 /// A block of kSimdWidth contacts between the arrays in memory and the contact law.
-inline constexpr std::int32_t kLine = 8;  ///< doubles of a record that fills a cache line
 static_assert(sizeof(BodyMotion) == 64 && sizeof(BodyLoad) == 64 && sizeof(BodyLead) == 64 &&
               sizeof(PlacedSphere) == 64);
 static_assert(sizeof(SpringRecord) == 32 && sizeof(RollingRecord) == 32);
 
 /// One side of a block: spheres with their bodies.
 struct BlockSide {
-  LaneOffsets body;  ///< offsets of the bodies' records
   Triple<SimdReal> centre, arm, velocity, w;
   SimdReal radius, mass, inertia_term;
 };
 
+/// @param sphere, body  offsets of the records, TouchingList
 REPOSE_INLINE BlockSide load_side(const Bodies& bodies, const std::vector<PlacedSphere>& placed,
-                                  const LaneOffsets& index) {
+                                  const std::int32_t* sphere, const std::int32_t* body) {
   BlockSide side;
-  LaneOffsets sphere;
-  for (std::size_t lane = 0; lane < kSimdWidth; ++lane) {
-    sphere[lane] = kLine * index[lane];
-    side.body[lane] = kLine * placed[static_cast<std::size_t>(index[lane])].body;
-  }
   const Fields8 s = load_fields8(placed.data()->centre, sphere);
-  const Fields8 m = load_fields8(bodies.motion.data()->velocity, side.body);
+  const Fields8 m = load_fields8(bodies.motion.data()->velocity, body);
   side.centre = {s[0], s[1], s[2]};
   side.radius = s[3];
   side.arm = {s[4], s[5], s[6]};
@@ -44,7 +38,7 @@ REPOSE_INLINE BlockSide load_side(const Bodies& bodies, const std::vector<Placed
 }
 
 /// What Bodies::lead adds to the velocity at the contact point of one side.
-REPOSE_INLINE Triple<SimdReal> lead_of(const Bodies& bodies, const LaneOffsets& body,
+REPOSE_INLINE Triple<SimdReal> lead_of(const Bodies& bodies, const std::int32_t* body,
                                        const Triple<SimdReal>& arm) {
   const Fields8 lead = load_fields8(bodies.lead.data()->velocity, body);
   return Triple<SimdReal>{lead[0], lead[1], lead[2]} +
@@ -57,34 +51,28 @@ REPOSE_INLINE Fields8 load_fields(const Triple<SimdReal>& force, const SimdReal&
   return {force.x, force.y, force.z, rolling, torque.x, torque.y, torque.z, SimdReal(1.0)};
 }
 
-/// History of a block of contacts, read before the law and written after it.
-struct BlockHistory {
-  LaneOffsets offset;
-  ContactHistory<SimdReal> history;
-};
-
-REPOSE_INLINE BlockHistory load_history(const CandidateArrays& contacts, const LaneOffsets& candidate,
-                                        bool rolling) {
-  BlockHistory block;
-  for (std::size_t lane = 0; lane < kSimdWidth; ++lane) block.offset[lane] = 4 * candidate[lane];
-  const Fields4 spring = load_fields4(contacts.spring.data()->value, block.offset);
-  block.history.tangential = {{spring[0], spring[1], spring[2]}, spring[3]};
-  block.history.rolling = {SimdReal(0.0), SimdReal(0.0), SimdReal(0.0)};
+/// @param history  offsets of the records, TouchingList
+REPOSE_INLINE ContactHistory<SimdReal> load_history(const CandidateArrays& contacts,
+                                                    const std::int32_t* history, bool rolling) {
+  const Fields4 spring = load_fields4(contacts.spring.data()->value, history);
+  ContactHistory<SimdReal> loaded;
+  loaded.tangential = {{spring[0], spring[1], spring[2]}, spring[3]};
+  loaded.rolling = {SimdReal(0.0), SimdReal(0.0), SimdReal(0.0)};
   if (rolling) {
-    const Fields4 torque = load_fields4(contacts.rolling.data()->torque, block.offset);
-    block.history.rolling = {torque[0], torque[1], torque[2]};
+    const Fields4 torque = load_fields4(contacts.rolling.data()->torque, history);
+    loaded.rolling = {torque[0], torque[1], torque[2]};
   }
-  return block;
+  return loaded;
 }
 
-REPOSE_INLINE void store_history(const BlockHistory& block, CandidateArrays& contacts, std::size_t lanes,
-                                 bool rolling) {
-  const TangentialSpring<SimdReal>& spring = block.history.tangential;
+REPOSE_INLINE void store_history(const ContactHistory<SimdReal>& loaded, CandidateArrays& contacts,
+                                 const std::int32_t* history, std::size_t lanes, bool rolling) {
+  const TangentialSpring<SimdReal>& spring = loaded.tangential;
   store_fields4({spring.value.x, spring.value.y, spring.value.z, spring.root}, contacts.spring.data()->value,
-                block.offset, lanes);
+                history, lanes);
   if (!rolling) return;
-  const Triple<SimdReal>& torque = block.history.rolling;
-  store_fields4({torque.x, torque.y, torque.z, SimdReal(0.0)}, contacts.rolling.data()->torque, block.offset,
+  const Triple<SimdReal>& torque = loaded.rolling;
+  store_fields4({torque.x, torque.y, torque.z, SimdReal(0.0)}, contacts.rolling.data()->torque, history,
                 lanes);
 }
 
@@ -108,24 +96,18 @@ struct PowerSum {
   }
 };
 
-/// Entries `first` … of a list; lanes beyond its end repeat the last entry. Returns the number of lanes that
-/// are real.
-REPOSE_INLINE std::size_t take_lanes(const std::vector<std::int32_t>& list, std::size_t first,
-                                     LaneOffsets& taken) {
-  const std::size_t lanes = std::min(kSimdWidth, list.size() - first);
-  for (std::size_t lane = 0; lane < kSimdWidth; ++lane) taken[lane] = list[first + std::min(lane, lanes - 1)];
-  return lanes;
-}
-
-/// Candidates that touched at the last step and no longer do forget their history.
-inline void forget_lost(CandidateArrays& contacts, std::size_t block, std::uint8_t touching) {
-  const auto lost = static_cast<std::uint8_t>(contacts.was_touching[block] & ~touching);
-  contacts.was_touching[block] = touching;
-  if (lost == 0) return;
-  for (std::size_t k = 0; k < CandidateArrays::kBlock; ++k) {
-    if (!((lost >> k) & 1U)) continue;
-    contacts.spring[block * CandidateArrays::kBlock + k] = {};
-    contacts.rolling[block * CandidateArrays::kBlock + k] = {};
+/// Brings a block of near candidates to this step; candidates that no longer touch forget.
+inline void mark_touching(CandidateArrays& contacts, NearList& near, std::size_t block, unsigned touching) {
+  const unsigned before = near.touching[block];
+  if (before == touching) return;
+  near.touching[block] = static_cast<std::uint8_t>(touching);
+  for (unsigned changed = before ^ touching; changed != 0; changed &= changed - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(changed));
+    const auto c = near.candidate(block * NearList::kBlock + k);
+    if ((touching >> k) & 1U)
+      contacts.touching.set(c, true);
+    else
+      contacts.forget(c);
   }
 }
 

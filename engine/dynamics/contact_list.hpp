@@ -5,66 +5,32 @@
 #include <span>
 #include <vector>
 
-#include "engine/contact/simd.hpp"
 #include "engine/dynamics/bodies.hpp"
+#include "engine/dynamics/candidates.hpp"
 #include "engine/dynamics/cell_grid.hpp"
 #include "engine/dynamics/wall.hpp"
 
 namespace repose {
 
-/// A sphere that some candidate needs, placed in the world; one cache line.
-struct alignas(64) PlacedSphere {
-  double centre[3] = {};  ///< [m]
-  double radius = 0.0;    ///< [m]
-  double arm[3] = {};     ///< centre of the sphere − centre of mass of its body [m]
-  std::int32_t body = 0;
-  std::int32_t sphere = 0;  ///< index in its clump
-};
-
-/// What a contact remembers (contact/hertz_mindlin.hpp, contact/rolling.hpp).
-struct alignas(32) SpringRecord {
-  double value[3] = {};
-  double root = 0.0;
-};
-struct alignas(32) RollingRecord {
-  double torque[3] = {};
-  double unused = 0.0;
-};
-
-/// Candidates for contact with what they remember, as flat arrays. Entries are padded to whole blocks of
-/// kBlock with pairs that never touch.
-struct CandidateArrays {
-  static constexpr std::size_t kBlock = 8;
-
-  std::vector<std::int32_t> a;  ///< placed sphere of body i
-  std::vector<std::int32_t> b;  ///< placed sphere of body j; for a wall candidate the wall
-  std::vector<SpringRecord> spring;
-  std::vector<RollingRecord> rolling;      ///< zero unless the rolling model has a spring
-  std::vector<std::uint8_t> was_touching;  ///< one bit per candidate of a block, at the last step
-  std::size_t count = 0;                   ///< without padding
-
-  void clear();
-  /// Adds a candidate that remembers what `from` remembers in `old`; from < 0: a new one.
-  void push(std::int32_t first, std::int32_t second, const CandidateArrays& old, std::ptrdiff_t from);
-  /// Fills up the last block with (first, second).
-  void pad(std::int32_t first, std::int32_t second);
-  [[nodiscard]] std::size_t blocks() const { return was_touching.size(); }
-  [[nodiscard]] bool touched(std::size_t candidate) const {
-    return (was_touching[candidate / kBlock] >> (candidate % kBlock)) & 1U;
-  }
-};
-
-/// Which spheres may touch, found in two levels: pairs of bodies whose bounding spheres are near (a grid),
-/// then pairs of spheres of these bodies that are near. Both levels hold for as long as no body has moved
-/// beyond its share of a skin:
+/// Which spheres may touch, found in three levels, each a small part of the one above:
 ///
-/// level 1, gap < s1 when listed, all bodies listed at once: holds while every body has moved less than s1/2.
-/// level 2, gap < s2 when listed; a body that has moved is listed anew with all its pairs, the others stay.
-/// Of a pair, one body i was just listed and has since moved less than its share p; the other, j, was within
-/// p of its own reference then and is now, so that it moved less than 2p: 3p = s2, p = s2/3. The move of a
-/// body is that of its fastest sphere: |Δx| + 2 swing sin(θ/2).
+/// 1 bodies      pairs of bodies whose bounding spheres are nearer than skins.bodies (a grid);
+/// 2 candidates  pairs of spheres of these bodies that are nearer than skins.spheres;
+/// 3 near        candidates that may touch before one of their bodies is looked at again. Only these cost
+///               time in a step.
 ///
-/// Wall candidates follow the same rule with the gap to the wall and p from each side.
+/// What bounds a body's motion is Bodies::travel, the path of its fastest point. At each level a body may
+/// travel its share of a gap before it is looked at again, and two bodies cannot meet before one of them has
+/// used up its share of the gap between them:
+///
+/// 1: a share is skins.bodies/2; all bodies are listed at once.
+/// 2: a share is skins.spheres/2; a body that has used it up is listed anew with all its pairs.
+/// 3: a share is what the body travels in some steps at its present pace. A candidate is near unless
+/// its
+///    gap is beyond what both bodies have left of their shares. At rest a look lasts thousands of steps.
+///
+/// Wall candidates follow the same rules with the wall as the second body. Candidates are sorted by bodies
+/// and spheres, so that results do not depend on skins or shares to the last bit.
 class ContactList {
  public:
   static constexpr double kFarthest = 1e3;  ///< [m]
@@ -74,76 +40,117 @@ class ContactList {
     double spheres = 0.0;  ///< s2 [m]
   };
 
-  explicit ContactList(Skins skins) : skins_(skins) {}
+  /// @param dt     Δt [s]
+  /// @param rolls  contacts remember a rolling spring
+  ContactList(Skins skins, double dt, bool rolls) : skins_(skins), dt_(dt) {
+    for (CandidateArrays* arrays : {&pairs, &wall_contacts, &old_}) arrays->rolls = rolls;
+  }
 
-  /// Brings the list up to date if some body or wall has moved too far since it was listed, or bodies were
-  /// added. Contacts that stay keep their history. Returns false, with nothing changed, where a coordinate is
-  /// not finite or farther than kFarthest from the origin: the motion has diverged.
+  /// Brings all levels up to date where some body or wall has used up its share. Contacts that stay keep
+  /// their history. Returns false, with nothing changed, where a coordinate is not finite or farther than
+  /// kFarthest from the origin: the motion has diverged.
   [[nodiscard]] bool update(const Bodies& bodies, std::span<const Wall> walls);
-  /// Forces a full listing at the next update.
-  void invalidate() { stale_ = true; }
+  /// A body was appended (Bodies::add).
+  void add_body(const Bodies& bodies);
   /// Follows a renumbering of bodies (Bodies::retain); dropped bodies lose their contacts.
-  void renumber(std::span<const int> new_index);
+  void renumber(const Bodies& bodies, std::span<const int> new_index);
   /// Wall candidates of wall `from` become those of wall `to` where the sphere's centre satisfies x·side > 0:
   /// the cylinder parts into halves and contacts keep their history.
   void hand_over_wall(int from, int to, double side);
 
-  /// Places every sphere that a candidate needs: centre = x + Σ_k axes_k · local_k.
+  /// Places every sphere that a near candidate needs: centre = x + Σ_k axes_k · local_k.
   void place_spheres(const Bodies& bodies);
 
-  std::vector<PlacedSphere>
-      placed;  ///< grouped by body, ascending; the last entry is a dummy that touches nothing
+  /// All spheres, grouped by body, ascending, behind the dummy at 0 that touches nothing. Up to date where a
+  /// near candidate needs it. Only lines that are needed are ever touched, which is why the array may hold
+  /// all.
+  std::vector<PlacedSphere> placed{1};
   CandidateArrays pairs;
   CandidateArrays wall_contacts;
+  NearList near_pairs;
+  NearList near_walls;
 
   [[nodiscard]] std::span<const BodyPair> body_pairs() const { return body_pairs_; }
-  [[nodiscard]] long updates() const { return updates_; }
+  [[nodiscard]] long updates() const { return updates_; }  ///< of candidates
+  [[nodiscard]] long looks() const { return looks_; }      ///< of near candidates
 
  private:
-  /// Where bodies stood when they were listed (level 2).
-  struct Reference {
-    std::vector<double> x, y, z, qw, qx, qy, qz;
-    void resize(std::size_t entries);
+  /// What a body may travel before it is looked at again, as a value of Bodies::travel [m]; +∞ behind the
+  /// last body, −1 for a new one. near ≤ spheres ≤ bodies.
+  struct Until {
+    std::vector<double> bodies, spheres, near;
+    void resize(std::size_t count, std::size_t padded);
   };
 
-  [[nodiscard]] bool bodies_moved(const Bodies& bodies) const;
-  [[nodiscard]] bool spheres_moved(const Bodies& bodies, double share) const;
-  [[nodiscard]] SimdReal move_squared(const Bodies& bodies, std::size_t first) const;
-  [[nodiscard]] bool walls_moved(std::span<const Wall> walls) const;
+  [[nodiscard]] bool any_used_up(const Bodies& bodies) const;
+  [[nodiscard]] static bool walls_moved(std::span<const Wall> now, std::span<const Wall> then, double share);
+  void number_spheres(const Bodies& bodies);
+  void append_spheres(const Bodies& bodies, std::size_t i);
+  void place(const Bodies& bodies, std::size_t sphere);
+
+  // Level 1.
   void list_bodies(const Bodies& bodies);
+  void link_pairs(std::size_t count);
+
+  // Level 2.
+  void list_candidates(const Bodies& bodies, std::span<const Wall> walls, bool bodies_listed);
   void flag_moved(const Bodies& bodies);
   void flag_new_pairs();
   void list_pairs(const Bodies& bodies);
-  void keep_pair(std::size_t old_pair);
-  void list_pair(const Bodies& bodies, const BodyPair& pair, std::ptrdiff_t old_pair);
+  void list_pair(const Bodies& bodies, const BodyPair& pair, std::size_t old_begin, std::size_t old_end);
   void list_walls(const Bodies& bodies, std::span<const Wall> walls);
+  void list_walls_of(const Bodies& bodies, std::size_t i, std::span<const Wall> walls, std::size_t old_begin,
+                     std::size_t old_end);
   void place_all(const Bodies& bodies, std::size_t i);
-  void number_placed(const Bodies& bodies);
+  /// Spheres of one body that reach into the bounding sphere of another.
+  struct Reaching {
+    std::vector<std::int32_t> sphere;     ///< in `placed`
+    std::vector<double> x, y, z, radius;  ///< padded to whole vectors with spheres that are far from all
+    std::size_t count = 0;
+  };
+  void find_reaching(const Bodies& bodies, std::size_t of, std::size_t into, Reaching& found) const;
+
+  // Level 3.
+  void look_near(const Bodies& bodies, std::span<const Wall> walls, bool walls_used_up);
+  void share_out(const Bodies& bodies);
+  void look_at_pair(const Bodies& bodies, std::size_t pair);
+  void look_at_walls(const Bodies& bodies, std::size_t i);
+  void gather_near();
+  [[nodiscard]] double left(const Bodies& bodies, std::size_t i) const {
+    return until_.near[i] - bodies.travel[i];
+  }
 
   Skins skins_;
-  bool stale_ = true;
-  long updates_ = 0;
+  double dt_;
+  bool renumbered_ = true;  ///< bodies or walls have other numbers than when candidates were listed
+  long updates_ = 0, looks_ = 0;
 
-  std::vector<double> listed_x_, listed_y_, listed_z_;  ///< level 1 references
-  Reference listed_;                                    ///< level 2 references
-  std::vector<Wall> listed_walls_;
+  Until until_;
+  std::vector<Wall> listed_walls_;  ///< as of the last listing
+  std::vector<Wall> looked_walls_;  ///< as of the last look at all of them
+  double wall_share_ = 0.0;         ///< what a wall may move until the next look [m]
 
-  std::vector<std::array<double, 4>> local_;  ///< scaled centres of the placed spheres in their bodies [m]
+  std::vector<std::size_t> first_sphere_{1};  ///< of each body in `placed`, and one past the last
+  std::vector<LocalSphere> local_{1};         ///< of each entry of `placed`
+  std::vector<BodyPair> body_pairs_;          ///< sorted
+  std::vector<std::size_t> pair_first_;  ///< pairs with body i as first: pair_first_[i] … pair_first_[i+1]−1
+  std::vector<std::size_t> second_first_, second_;  ///< pairs with body i as second, in the same way
+  std::vector<std::size_t> pair_begin_{
+      0};  ///< candidates of body pair p: pair_begin_[p] … pair_begin_[p+1]−1
+  std::vector<std::size_t> wall_begin_{0};  ///< wall candidates of body i, in the same way
+  std::vector<std::int32_t> needed_;        ///< placed spheres that a near candidate needs
+  std::vector<std::uint8_t> is_needed_{0};
 
-  std::vector<BodyPair> body_pairs_;
-  std::vector<std::size_t> pair_begin_;  ///< candidates of body pair p: pair_begin_[p] … pair_begin_[p+1]−1
-
-  // Scratch of one listing, kept to save allocations.
-  std::vector<char> moved_;  ///< bodies to list anew
-  std::vector<std::int32_t> near_a_, near_b_;
-  std::vector<std::size_t> first_sphere_;  ///< of each body among all spheres
-  std::vector<char> all_placed_;           ///< bodies whose spheres are all placed in this listing
-  std::vector<PlacedSphere> all_;          ///< every sphere of these bodies
-  std::vector<std::int32_t> number_;       ///< placed number of each sphere of all bodies, −1: not needed
+  // Scratch of one listing or look, kept to save allocations.
+  std::vector<char> moved_;       ///< bodies to list anew
+  std::vector<char> all_placed_;  ///< bodies whose spheres are all placed in this listing
+  std::vector<std::size_t> looked_;
+  std::vector<char> is_looked_;
+  std::vector<std::size_t> next_;
+  Reaching reach_a_, reach_b_;
   CandidateArrays old_;
   std::vector<BodyPair> old_body_pairs_;
-  std::vector<std::size_t> old_pair_begin_;
-  std::vector<PlacedSphere> old_placed_;
+  std::vector<std::size_t> old_pair_begin_, old_wall_begin_;
 };
 
 }  // namespace repose

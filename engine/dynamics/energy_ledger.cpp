@@ -31,6 +31,10 @@ void add_contact(const LawParameters& law, RollingModel model, const Touch& touc
   survey.mean_overlap += (ratio - survey.mean_overlap) / static_cast<double>(++survey.contacts);
 }
 
+RollingRecord rolling_of(const CandidateArrays& contacts, std::size_t c) {
+  return contacts.rolls ? contacts.rolling[c] : RollingRecord{};
+}
+
 Touch touch_of(const PlacedSphere& a, const PlacedSphere& b) {
   return {a.radius + b.radius - (Vec3(a.centre) - Vec3(b.centre)).norm(),
           a.radius * b.radius / (a.radius + b.radius), std::min(a.radius, b.radius)};
@@ -49,14 +53,14 @@ ContactSurvey survey_contacts(const ForceStep& step, RollingModel model, const B
   for (std::size_t c = 0; c < pairs.count; ++c)
     if (pairs.touched(c))
       add_contact(step.pair_law, model, touch_of(sphere(pairs.a[c]), sphere(pairs.b[c])), pairs.spring[c],
-                  pairs.rolling[c], survey);
+                  rolling_of(pairs, c), survey);
   const CandidateArrays& at_walls = contacts.wall_contacts;
   for (std::size_t c = 0; c < at_walls.count; ++c) {
     if (!at_walls.touched(c)) continue;
     const PlacedSphere& s = sphere(at_walls.a[c]);
     const WallDistance wall = distance_to(walls[static_cast<std::size_t>(at_walls.b[c])], Vec3(s.centre));
     add_contact(step.wall_law, model, {s.radius - wall.distance, s.radius, s.radius}, at_walls.spring[c],
-                at_walls.rolling[c], survey);
+                rolling_of(at_walls, c), survey);
   }
   return survey;
 }

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <bit>
 #include <span>
 #include <vector>
 
 #include "engine/contact/contact_law.hpp"
 #include "engine/dynamics/bodies.hpp"
 #include "engine/dynamics/contact_list.hpp"
+#include "engine/dynamics/simd_records.hpp"
 
 namespace repose {
 
@@ -24,9 +26,29 @@ struct ContactWork {
   double normal_damping = 0.0, tangential_damping = 0.0, spring = 0.0, rolling = 0.0, wall = 0.0;
 };
 
-/// Scratch of the kernels, kept from step to step so that a step allocates nothing.
-struct TouchingWalls {
-  std::vector<std::int32_t> candidate;
+/// The contacts of a step, ascending by candidate, as offsets of their records in doubles; padded with the
+/// last one to whole vectors. Kept from step to step, so that a step allocates nothing.
+struct TouchingList {
+  std::vector<std::int32_t> history;             ///< of SpringRecord and RollingRecord
+  std::vector<std::int32_t> sphere_a, sphere_b;  ///< of PlacedSphere; at a wall b is the wall's number
+  std::vector<std::int32_t> body_a, body_b;      ///< of BodyMotion, BodyLoad and BodyLead
+  std::size_t count = 0;
+
+  void start(std::size_t most);
+  /// Appends the candidates of a block whose bit is set.
+  void take(const NearList& near, std::size_t block, unsigned bits) {
+    const std::size_t first = block * NearList::kBlock;
+    keep_lanes(near.history.data() + first, bits, history.data() + count);
+    keep_lanes(near.sphere_a.data() + first, bits, sphere_a.data() + count);
+    keep_lanes(near.sphere_b.data() + first, bits, sphere_b.data() + count);
+    keep_lanes(near.body_a.data() + first, bits, body_a.data() + count);
+    keep_lanes(near.body_b.data() + first, bits, body_b.data() + count);
+    count += static_cast<std::size_t>(std::popcount(bits));
+  }
+  void finish();
+};
+
+struct TouchingWalls : TouchingList {
   std::vector<double> nx, ny, nz, overlap;  ///< geometry at the wall
 };
 
@@ -34,8 +56,7 @@ struct TouchingWalls {
 /// Bodies::load and brings the history of its contacts to this step; contacts are taken in the order of the
 /// candidates, so sums do not depend on how they are grouped.
 struct ForceKernels {
-  ContactWork (*pairs)(const ForceStep&, Bodies&, ContactList&,
-                       std::vector<std::int32_t>& touching) = nullptr;
+  ContactWork (*pairs)(const ForceStep&, Bodies&, ContactList&, TouchingList& touching) = nullptr;
   ContactWork (*walls)(const ForceStep&, Bodies&, ContactList&, std::span<const Wall>,
                        TouchingWalls& touching) = nullptr;
 };

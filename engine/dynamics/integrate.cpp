@@ -20,29 +20,46 @@ struct Rotor {
   T w, x, y, z;  ///< quaternion, not normalised
 };
 
+/// 1/(1+x), 0 ≤ x, and 1/√(1+x). A body turns by little in a step: their series are then exact to rounding,
+/// and five multiplications take a fraction of a division's time.
+constexpr double kSmall = 1e-4;
+REPOSE_INLINE T inverse_of_one_plus(const T& x) {
+  if (stdx::all_of(x < kSmall)) return 1.0 - x * (1.0 - x * (1.0 - x * (1.0 - x)));  // x⁵ = 1e-20
+  return 1.0 / (1.0 + x);
+}
+REPOSE_INLINE T inverse_root_of_one_plus(const T& x) {
+  if (stdx::all_of(absolute(x) < kSmall))
+    return 1.0 - x * (0.5 - x * (0.375 - x * (0.3125 - x * 0.2734375)));  // 0.25 x⁵ = 2e-21
+  return 1.0 / square_root(T(1.0 + x));
+}
+
 /// Turns q by φ about body axis k and the body's angular momentum by −φ: (a, b) are its two other components,
-/// cyclic. Cayley: u = φ/2, cos φ → (1−u²)/(1+u²), sin φ → 2u/(1+u²).
+/// cyclic. Cayley: u = φ/2, cos φ → (1−u²)/(1+u²), sin φ → 2u/(1+u²). Returns |u|, half of a bound of the
+/// angle.
 REPOSE_INLINE void turn_momentum(const T& u, T& a, T& b) {
-  const T scale = 1.0 / (1.0 + u * u);
+  const T scale = inverse_of_one_plus(T(u * u));
   const T c = (1.0 - u * u) * scale, s = 2.0 * u * scale;
   const T turned = c * a + s * b;
   b = c * b - s * a;
   a = turned;
 }
-REPOSE_INLINE void turn_1(Rotor& q, Triple<T>& l, const T& inverse, double h) {
+REPOSE_INLINE T turn_1(Rotor& q, Triple<T>& l, const T& inverse, double h) {
   const T u = (0.5 * h) * inverse * l.x;
   turn_momentum(u, l.y, l.z);
   q = {q.w - u * q.x, q.x + u * q.w, q.y + u * q.z, q.z - u * q.y};
+  return absolute(u);
 }
-REPOSE_INLINE void turn_2(Rotor& q, Triple<T>& l, const T& inverse, double h) {
+REPOSE_INLINE T turn_2(Rotor& q, Triple<T>& l, const T& inverse, double h) {
   const T u = (0.5 * h) * inverse * l.y;
   turn_momentum(u, l.z, l.x);
   q = {q.w - u * q.y, q.x - u * q.z, q.y + u * q.w, q.z + u * q.x};
+  return absolute(u);
 }
-REPOSE_INLINE void turn_3(Rotor& q, Triple<T>& l, const T& inverse, double h) {
+REPOSE_INLINE T turn_3(Rotor& q, Triple<T>& l, const T& inverse, double h) {
   const T u = (0.5 * h) * inverse * l.z;
   turn_momentum(u, l.x, l.y);
   q = {q.w - u * q.z, q.x + u * q.y, q.y - u * q.x, q.z + u * q.w};
+  return absolute(u);
 }
 
 struct Axes {
@@ -94,14 +111,16 @@ REPOSE_INLINE Triple<T> to_world(const Axes& axes, const Triple<T>& body) {
 }
 
 /// The free rotation over Δt; l becomes the momentum as the turned body sees it.
-REPOSE_INLINE void turn_freely(Rotor& q, Triple<T>& l, const Triple<T>& inverse, double dt) {
-  turn_1(q, l, inverse.x, 0.5 * dt);
-  turn_2(q, l, inverse.y, 0.5 * dt);
-  turn_3(q, l, inverse.z, dt);
-  turn_2(q, l, inverse.y, 0.5 * dt);
-  turn_1(q, l, inverse.x, 0.5 * dt);
-  const T scale = 1.0 / square_root(T(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z));
+/// @return a bound of the angle
+REPOSE_INLINE T turn_freely(Rotor& q, Triple<T>& l, const Triple<T>& inverse, double dt) {
+  T half = turn_1(q, l, inverse.x, 0.5 * dt);
+  half += turn_2(q, l, inverse.y, 0.5 * dt);
+  half += turn_3(q, l, inverse.z, dt);
+  half += turn_2(q, l, inverse.y, 0.5 * dt);
+  half += turn_1(q, l, inverse.x, 0.5 * dt);
+  const T scale = inverse_root_of_one_plus(T(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1.0));
   q = {scale * q.w, scale * q.x, scale * q.y, scale * q.z};
+  return 2.0 * half;
 }
 
 /// What acts on the rotation of kSimdWidth bodies.
@@ -123,11 +142,13 @@ REPOSE_INLINE void resist(const Axes& axes, const Triple<T>& inverse, const Twis
   L = select3(twist.impulse > 0.0, to_world(axes, l), L);
 }
 
+/// @param turned  out: a bound of the angle
 /// @return ω that contacts will see, world
 template <Integrator kIntegrator>
 REPOSE_INLINE Triple<T> rotate(Bodies& bodies, std::size_t first, const Twist& twist, const MotionStep& step,
-                               T& taken_energy) {
+                               T& turned, T& taken_energy) {
   const double dt = step.dt;
+  turned = 0.0;
   const Triple<T> inverse{load(bodies.inverse_i1, first), load(bodies.inverse_i2, first),
                           load(bodies.inverse_i3, first)};
   Triple<T> L = twist.momentum + T(dt) * twist.torque;
@@ -141,33 +162,36 @@ REPOSE_INLINE Triple<T> rotate(Bodies& bodies, std::size_t first, const Twist& t
   Triple<T> l;
   if constexpr (kIntegrator == Integrator::explicit_euler) {
     Triple<T> before = to_body(axes, twist.momentum);
-    turn_freely(q, before, inverse, dt);
+    turned = turn_freely(q, before, inverse, dt);
     axes = axes_of(q);
     l = to_body(axes, L);
     resist(axes, inverse, twist, step, L, l, taken_energy);
   } else {
     l = to_body(axes, L);
     resist(axes, inverse, twist, step, L, l, taken_energy);
-    turn_freely(q, l, inverse, dt);
+    turned = turn_freely(q, l, inverse, dt);
     axes = axes_of(q);
   }
   store_momentum(L, bodies, first);
   store(q.w, bodies.qw, first), store(q.x, bodies.qx, first), store(q.y, bodies.qy, first),
       store(q.z, bodies.qz, first);
 
-  const LaneOffsets at = neighbours(first, 12);
+  const LaneOffsets at = neighbours(first, sizeof(BodyAxes) / sizeof(double));
   double* column = bodies.axes.data()->column[0];
   for (const Triple<T>* axis : {&axes.c1, &axes.c2, &axes.c3}) {
-    store_fields4({axis->x, axis->y, axis->z, T(0.0)}, column, at, kSimdWidth);
+    store_fields4({axis->x, axis->y, axis->z, T(0.0)}, column, at.data(), kSimdWidth);
     column += 4;
   }
+  store_fields4({load(bodies.x, first), load(bodies.y, first), load(bodies.z, first), T(0.0)},
+                bodies.axes.data()->position, at.data(), kSimdWidth);
   return to_world(axes, {inverse.x * l.x, inverse.y * l.y, inverse.z * l.z});
 }
 
 /// Moves the centres of mass of kSimdWidth bodies by what their velocity in `motion` becomes; dv = Δt a.
+/// @return how far
 template <Integrator kIntegrator>
-REPOSE_INLINE void translate(Bodies& bodies, std::size_t first, const Triple<T>& dv, double dt,
-                             Fields8& motion) {
+REPOSE_INLINE T translate(Bodies& bodies, std::size_t first, const Triple<T>& dv, double dt,
+                          Fields8& motion) {
   Triple<T> v{motion[0], motion[1], motion[2]};
   Triple<T> moving = v;
   v = v + dv;
@@ -176,6 +200,7 @@ REPOSE_INLINE void translate(Bodies& bodies, std::size_t first, const Triple<T>&
   store(load(bodies.x, first) + dt * moving.x, bodies.x, first);
   store(load(bodies.y, first) + dt * moving.y, bodies.y, first);
   store(load(bodies.z, first) + dt * moving.z, bodies.z, first);
+  return dt * length(moving);
 }
 
 /// Bodies::lead of kSimdWidth bodies; the turn of their axes within half a step is left out.
@@ -191,7 +216,13 @@ void store_lead(Bodies& bodies, std::size_t first, const Triple<T>& dv, const Tr
   }
   const T half = 0.5, none = 0.0;
   store_fields8({half * dv.x, half * dv.y, half * dv.z, none, half * dw.x, half * dw.y, half * dw.z, none},
-                bodies.lead.data()->velocity, neighbours(first, 8));
+                bodies.lead.data()->velocity, neighbours(first, 8).data());
+}
+
+/// 1/I_min
+REPOSE_INLINE T softest_axis(const Bodies& bodies, std::size_t first) {
+  return larger(larger(load(bodies.inverse_i1, first), load(bodies.inverse_i2, first)),
+                load(bodies.inverse_i3, first));
 }
 
 template <Integrator kIntegrator>
@@ -202,17 +233,23 @@ double integrate_all(Bodies& bodies, const MotionStep& step) {
   T taken_energy = 0.0;
   for (std::size_t first = 0; first < bodies.padded(); first += kSimdWidth) {
     const LaneOffsets at = neighbours(first, 8);
-    Fields8 motion = load_fields8(motions, at);
-    const Fields8 sum = load_fields8(loads, at);
+    Fields8 motion = load_fields8(motions, at.data());
+    const Fields8 sum = load_fields8(loads, at.data());
     const T kick = dt / motion[3];
     const Triple<T> dv{kick * sum[0], kick * sum[1], kick * sum[2] - dt * kGravity};
-    translate<kIntegrator>(bodies, first, dv, dt, motion);
+    const T moved = translate<kIntegrator>(bodies, first, dv, dt, motion);
     const Twist twist{{load(bodies.lx, first), load(bodies.ly, first), load(bodies.lz, first)},
                       {sum[4], sum[5], sum[6]},
-                      step.rolling_type_a ? T(dt * sum[3]) : T(0.0)};
-    const Triple<T> w = rotate<kIntegrator>(bodies, first, twist, step, taken_energy);
+                      step.rolling == RollingModel::type_a ? T(dt * sum[3]) : T(0.0)};
+    T turned;
+    const Triple<T> w = rotate<kIntegrator>(bodies, first, twist, step, turned, taken_energy);
+    const T pace = moved + load(bodies.swing, first) * turned;
+    store(pace, bodies.pace, first);
+    store(load(bodies.travel, first) + pace, bodies.travel, first);
     motion[4] = w.x, motion[5] = w.y, motion[6] = w.z;
-    store_fields8(motion, motions, at);
+    if (step.rolling == RollingModel::type_a_relative)
+      motion[7] = larger(sum[7], T(1.0)) * softest_axis(bodies, first);
+    store_fields8(motion, motions, at.data());
     if constexpr (kIntegrator == Integrator::velocity_verlet)
       store_lead(bodies, first, dv, T(dt) * twist.torque);
   }

@@ -7,8 +7,10 @@ namespace repose {
 
 /// What a step of the motion is made of.
 struct MotionStep {
-  double dt = 0.0;              ///< Δt [s]
-  bool rolling_type_a = false;  ///< Bodies::load holds Σ μr |F_n| R_i to resist rolling with
+  double dt = 0.0;  ///< Δt [s]
+  /// type_a: Bodies::load holds Σ μr |F_n| R_i to resist rolling with; type_a_relative:
+  /// BodyMotion::inertia_term follows the number of contacts.
+  RollingModel rolling = RollingModel::type_a;
   Integrator integrator = Integrator::symplectic_euler;
   RollingTorque rolling_torque = RollingTorque::limited;
   bool booked = true;  ///< whether the energy is returned; zero otherwise
@@ -42,6 +44,8 @@ struct MotionStep {
 /// = Δt M never does more than take the rotation away: L becomes zero where |L| ≤ λ, and elsewhere λ stays
 /// below |ω|/(ω̂ᵀ I⁻¹ ω̂), where the kinetic energy is least. Without this limit the sign of ω flips at every
 /// step of a heap at rest, which then keeps moving; RollingTorque::unlimited takes it away.
+/// Bodies::travel grows by what the fastest point of each body may have moved: Δt |v| and, for the turns, at
+/// most swing times the sum of their angles (Cayley's 2 atan(φ/2) ≤ φ).
 /// @return the energy that rolling resistance of type_a took [J]
 double integrate(Bodies& bodies, const MotionStep& step);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 
 #include "engine/contact/simd.hpp"
@@ -18,6 +19,17 @@ namespace repose {
 using LaneOffsets = std::array<std::int32_t, kSimdWidth>;  ///< of each lane's record, in doubles
 using Fields8 = std::array<SimdReal, 8>;
 using Fields4 = std::array<SimdReal, 4>;
+
+/// Copies those of eight numbers whose bit is set to the front of `to`, where eight may be written.
+REPOSE_INLINE void keep_lanes(const std::int32_t* from, unsigned bits, std::int32_t* to) {
+#ifdef __AVX512VL__
+  const __m256i all = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
+                      _mm256_maskz_compress_epi32(static_cast<__mmask8>(bits), all));
+#else
+  for (; bits != 0; bits &= bits - 1) *to++ = from[std::countr_zero(bits)];
+#endif
+}
 
 #ifdef __AVX512F__
 
@@ -42,7 +54,7 @@ REPOSE_INLINE void transpose8(Rows& r) {
   }
 }
 
-REPOSE_INLINE Fields8 load_fields8(const double* base, const LaneOffsets& offset) {
+REPOSE_INLINE Fields8 load_fields8(const double* base, const std::int32_t* offset) {
   Rows rows;
   for (std::size_t lane = 0; lane < 8; ++lane) rows[lane] = _mm512_load_pd(base + offset[lane]);
   transpose8(rows);
@@ -58,15 +70,15 @@ REPOSE_INLINE Rows rows_of(const Fields8& fields) {
   return rows;
 }
 
-REPOSE_INLINE void store_fields8(const Fields8& fields, double* base, const LaneOffsets& offset) {
+REPOSE_INLINE void store_fields8(const Fields8& fields, double* base, const std::int32_t* offset) {
   const Rows rows = rows_of(fields);
   for (std::size_t lane = 0; lane < 8; ++lane) _mm512_store_pd(base + offset[lane], rows[lane]);
 }
 
 /// Records a and then b of each of the first `lanes` lanes are increased, lane after lane: two lanes may
 /// share a record.
-REPOSE_INLINE void add_fields8(const Fields8& a, const LaneOffsets& at_a, const Fields8& b,
-                               const LaneOffsets& at_b, double* base, std::size_t lanes) {
+REPOSE_INLINE void add_fields8(const Fields8& a, const std::int32_t* at_a, const Fields8& b,
+                               const std::int32_t* at_b, double* base, std::size_t lanes) {
   const Rows rows_a = rows_of(a), rows_b = rows_of(b);
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     _mm512_store_pd(base + at_a[lane], _mm512_add_pd(_mm512_load_pd(base + at_a[lane]), rows_a[lane]));
@@ -74,14 +86,14 @@ REPOSE_INLINE void add_fields8(const Fields8& a, const LaneOffsets& at_a, const 
   }
 }
 
-REPOSE_INLINE void add_fields8(const Fields8& a, const LaneOffsets& at, double* base, std::size_t lanes) {
+REPOSE_INLINE void add_fields8(const Fields8& a, const std::int32_t* at, double* base, std::size_t lanes) {
   const Rows rows = rows_of(a);
   for (std::size_t lane = 0; lane < lanes; ++lane)
     _mm512_store_pd(base + at[lane], _mm512_add_pd(_mm512_load_pd(base + at[lane]), rows[lane]));
 }
 
 /// The first four doubles of each record.
-REPOSE_INLINE Fields4 load_fields4(const double* base, const LaneOffsets& offset) {
+REPOSE_INLINE Fields4 load_fields4(const double* base, const std::int32_t* offset) {
   const auto two = [&](std::size_t low, std::size_t high) {
     return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_load_pd(base + offset[low])),
                               _mm256_load_pd(base + offset[high]), 1);
@@ -96,7 +108,7 @@ REPOSE_INLINE Fields4 load_fields4(const double* base, const LaneOffsets& offset
 }
 
 /// Stores the first four doubles of the records of the first `lanes` lanes.
-REPOSE_INLINE void store_fields4(const Fields4& f, double* base, const LaneOffsets& offset,
+REPOSE_INLINE void store_fields4(const Fields4& f, double* base, const std::int32_t* offset,
                                  std::size_t lanes) {
   const auto m = [&](std::size_t k) { return static_cast<__m512d>(f[k]); };
   const __m512d a = _mm512_unpacklo_pd(m(0), m(1)), b = _mm512_unpackhi_pd(m(0), m(1));
@@ -124,7 +136,7 @@ REPOSE_INLINE void transpose4(__m256d r[4]) {
 }
 
 /// Four neighbouring fields of each record, from `base` on.
-REPOSE_INLINE Fields4 load_fields4(const double* base, const LaneOffsets& offset) {
+REPOSE_INLINE Fields4 load_fields4(const double* base, const std::int32_t* offset) {
   __m256d rows[4];
   for (std::size_t lane = 0; lane < 4; ++lane) rows[lane] = _mm256_load_pd(base + offset[lane]);
   transpose4(rows);
@@ -132,7 +144,7 @@ REPOSE_INLINE Fields4 load_fields4(const double* base, const LaneOffsets& offset
           static_cast<SimdReal>(rows[3])};
 }
 
-REPOSE_INLINE Fields8 load_fields8(const double* base, const LaneOffsets& offset) {
+REPOSE_INLINE Fields8 load_fields8(const double* base, const std::int32_t* offset) {
   const Fields4 low = load_fields4(base, offset), high = load_fields4(base + 4, offset);
   return {low[0], low[1], low[2], low[3], high[0], high[1], high[2], high[3]};
 }
@@ -150,13 +162,13 @@ REPOSE_INLINE Rows rows_of(const SimdReal* fields) {
 }
 
 /// Stores the first four doubles of the records of the first `lanes` lanes.
-REPOSE_INLINE void store_fields4(const Fields4& fields, double* base, const LaneOffsets& offset,
+REPOSE_INLINE void store_fields4(const Fields4& fields, double* base, const std::int32_t* offset,
                                  std::size_t lanes) {
   const Rows rows = rows_of(fields.data());
   for (std::size_t lane = 0; lane < lanes; ++lane) _mm256_store_pd(base + offset[lane], rows.r[lane]);
 }
 
-REPOSE_INLINE void store_fields8(const Fields8& fields, double* base, const LaneOffsets& offset) {
+REPOSE_INLINE void store_fields8(const Fields8& fields, double* base, const std::int32_t* offset) {
   const Rows low = rows_of(fields.data()), high = rows_of(fields.data() + 4);
   for (std::size_t lane = 0; lane < 4; ++lane) {
     _mm256_store_pd(base + offset[lane], low.r[lane]);
@@ -170,8 +182,8 @@ REPOSE_INLINE void add_row(double* record, const __m256d& row) {
 
 /// Records a and then b of each of the first `lanes` lanes are increased, lane after lane: two lanes may
 /// share a record.
-REPOSE_INLINE void add_fields8(const Fields8& a, const LaneOffsets& at_a, const Fields8& b,
-                               const LaneOffsets& at_b, double* base, std::size_t lanes) {
+REPOSE_INLINE void add_fields8(const Fields8& a, const std::int32_t* at_a, const Fields8& b,
+                               const std::int32_t* at_b, double* base, std::size_t lanes) {
   const Rows low_a = rows_of(a.data()), high_a = rows_of(a.data() + 4);
   const Rows low_b = rows_of(b.data()), high_b = rows_of(b.data() + 4);
   for (std::size_t lane = 0; lane < lanes; ++lane) {
@@ -180,7 +192,7 @@ REPOSE_INLINE void add_fields8(const Fields8& a, const LaneOffsets& at_a, const 
   }
 }
 
-REPOSE_INLINE void add_fields8(const Fields8& a, const LaneOffsets& at, double* base, std::size_t lanes) {
+REPOSE_INLINE void add_fields8(const Fields8& a, const std::int32_t* at, double* base, std::size_t lanes) {
   const Rows low = rows_of(a.data()), high = rows_of(a.data() + 4);
   for (std::size_t lane = 0; lane < lanes; ++lane)
     add_row(base + at[lane], low.r[lane]), add_row(base + at[lane] + 4, high.r[lane]);
@@ -189,7 +201,7 @@ REPOSE_INLINE void add_fields8(const Fields8& a, const LaneOffsets& at, double* 
 #else
 
 template <std::size_t N>
-REPOSE_INLINE std::array<SimdReal, N> load_fields(const double* base, const LaneOffsets& offset) {
+REPOSE_INLINE std::array<SimdReal, N> load_fields(const double* base, const std::int32_t* offset) {
   std::array<SimdReal, N> fields;
   for (std::size_t f = 0; f < N; ++f)
     fields[f] = SimdReal([&](auto lane) { return base[static_cast<std::size_t>(offset[lane]) + f]; });
@@ -197,34 +209,34 @@ REPOSE_INLINE std::array<SimdReal, N> load_fields(const double* base, const Lane
 }
 template <std::size_t N>
 REPOSE_INLINE void store_fields(const std::array<SimdReal, N>& fields, double* base,
-                                const LaneOffsets& offset, std::size_t lanes) {
+                                const std::int32_t* offset, std::size_t lanes) {
   for (std::size_t lane = 0; lane < lanes; ++lane)
     for (std::size_t f = 0; f < N; ++f) base[static_cast<std::size_t>(offset[lane]) + f] = fields[f][lane];
 }
 
-REPOSE_INLINE Fields8 load_fields8(const double* base, const LaneOffsets& offset) {
+REPOSE_INLINE Fields8 load_fields8(const double* base, const std::int32_t* offset) {
   return load_fields<8>(base, offset);
 }
-REPOSE_INLINE Fields4 load_fields4(const double* base, const LaneOffsets& offset) {
+REPOSE_INLINE Fields4 load_fields4(const double* base, const std::int32_t* offset) {
   return load_fields<4>(base, offset);
 }
-REPOSE_INLINE void store_fields8(const Fields8& fields, double* base, const LaneOffsets& offset) {
+REPOSE_INLINE void store_fields8(const Fields8& fields, double* base, const std::int32_t* offset) {
   store_fields(fields, base, offset, kSimdWidth);
 }
-REPOSE_INLINE void store_fields4(const Fields4& fields, double* base, const LaneOffsets& offset,
+REPOSE_INLINE void store_fields4(const Fields4& fields, double* base, const std::int32_t* offset,
                                  std::size_t lanes) {
   store_fields(fields, base, offset, lanes);
 }
 /// Records a and then b of each of the first `lanes` lanes are increased, lane after lane: two lanes may
 /// share a record.
-REPOSE_INLINE void add_fields8(const Fields8& a, const LaneOffsets& at_a, const Fields8& b,
-                               const LaneOffsets& at_b, double* base, std::size_t lanes) {
+REPOSE_INLINE void add_fields8(const Fields8& a, const std::int32_t* at_a, const Fields8& b,
+                               const std::int32_t* at_b, double* base, std::size_t lanes) {
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     for (std::size_t f = 0; f < 8; ++f) base[static_cast<std::size_t>(at_a[lane]) + f] += a[f][lane];
     for (std::size_t f = 0; f < 8; ++f) base[static_cast<std::size_t>(at_b[lane]) + f] += b[f][lane];
   }
 }
-REPOSE_INLINE void add_fields8(const Fields8& a, const LaneOffsets& at, double* base, std::size_t lanes) {
+REPOSE_INLINE void add_fields8(const Fields8& a, const std::int32_t* at, double* base, std::size_t lanes) {
   for (std::size_t lane = 0; lane < lanes; ++lane)
     for (std::size_t f = 0; f < 8; ++f) base[static_cast<std::size_t>(at[lane]) + f] += a[f][lane];
 }

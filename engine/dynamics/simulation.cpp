@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "engine/dynamics/integrate.hpp"
-#include "engine/dynamics/place_sphere.hpp"
 
 namespace repose {
 
@@ -23,7 +22,7 @@ ContactList::Skins skins_of(const Scene& scene, double dt) {
       volume += shape.volume / static_cast<double>(particles.shapes.size());
   const double diameter = std::cbrt(6.0 * volume / kPi);
   const double fall = std::sqrt(2.0 * kGravity * scene.test.cylinder_height) * dt;
-  return {0.15 * diameter + 7.0 * fall, 0.07 * diameter + 6.0 * fall};
+  return {0.25 * diameter + 7.0 * fall, 0.15 * diameter + 6.0 * fall};
 }
 
 ForceStep laws_of(const Scene& scene, double dt) {
@@ -51,12 +50,11 @@ ForceStep laws_of(const Scene& scene, double dt) {
 Simulation::Simulation(const Scene& scene, double dt)
     : dt_(dt),
       rolling_model_(scene.contact.rolling_model),
-      motion_step_{dt, rolling_model_ == RollingModel::type_a, scene.numerics.integrator,
-                   scene.contact.rolling_torque},
+      motion_step_{dt, rolling_model_, scene.numerics.integrator, scene.contact.rolling_torque},
       force_step_(laws_of(scene, dt)),
       kernels_(force_kernels(scene.contact.rolling_model)),
       bodies_(scene.particles.shapes, scene.particles.material.density),
-      contacts_(skins_of(scene, dt)) {}
+      contacts_(skins_of(scene, dt), dt, has_rolling_spring(rolling_model_)) {}
 
 bool Simulation::step() {
   if (!contacts_.update(bodies_, walls)) return false;
@@ -65,7 +63,6 @@ bool Simulation::step() {
   clear_loads();
   book(kernels_.pairs(force_step_, bodies_, contacts_, touching_));
   book(kernels_.walls(force_step_, bodies_, contacts_, walls, touching_walls_));
-  if (rolling_model_ == RollingModel::type_a_relative) update_inertia_terms();
 
   booked_.rolling_resistance += integrate(bodies_, motion_step_);
   for (Wall& wall : walls) wall.advance(dt_);
@@ -74,14 +71,6 @@ bool Simulation::step() {
 }
 
 void Simulation::clear_loads() { std::fill(bodies_.load.begin(), bodies_.load.end(), BodyLoad{}); }
-
-/// Contacts of this step over the smallest moment, for the torque limit of the next step.
-void Simulation::update_inertia_terms() {
-  for (std::size_t i = 0; i < bodies_.count; ++i) {
-    const double softest = std::max({bodies_.inverse_i1[i], bodies_.inverse_i2[i], bodies_.inverse_i3[i]});
-    bodies_.motion[i].inertia_term = std::max(bodies_.load[i].contacts, 1.0) * softest;
-  }
-}
 
 void Simulation::book(const ContactWork& work) {
   booked_.normal_damping += work.normal_damping;
@@ -119,8 +108,10 @@ void Simulation::add(const NewBody& body) {
   const double brought = bodies_.kinetic_energy(i) + bodies_.motion[i].mass * kGravity * body.position.z();
   booked_.added += brought;
   booked_.turnover += std::abs(brought);
-  contacts_.invalidate();
-  if (rolling_model_ == RollingModel::type_a_relative) update_inertia_terms();
+  contacts_.add_body(bodies_);
+  if (rolling_model_ == RollingModel::type_a_relative)  // one contact is the least
+    bodies_.motion[i].inertia_term =
+        std::max({bodies_.inverse_i1[i], bodies_.inverse_i2[i], bodies_.inverse_i3[i]});
 }
 
 void Simulation::remove(std::span<const char> keep) {
@@ -129,7 +120,8 @@ void Simulation::remove(std::span<const char> keep) {
     const BodyEnergy body = energy_of(bodies_, i, dt_, motion_step_.integrator);
     booked_.removed += body.kinetic + body.potential;
   }
-  contacts_.renumber(bodies_.retain(keep));
+  const std::vector<int> new_index = bodies_.retain(keep);
+  contacts_.renumber(bodies_, new_index);
 }
 
 void Simulation::split_wall(int from, int plus, int minus) {
@@ -161,12 +153,10 @@ HeapSnapshot Simulation::snapshot() const {
     body.shape = bodies_.shape[i];
     body.scale = bodies_.scale[i];
     heap.bodies.push_back(body);
-    for (const Sphere& local : bodies_.spheres(i)) {
-      PlacedSphere sphere;
-      sphere.body = static_cast<std::int32_t>(i);
-      place_sphere(bodies_, local, sphere);
-      heap.spheres.push_back({Vec3(sphere.centre), sphere.radius, sphere.body});
-    }
+    const Mat3 turn = body.orientation.toRotationMatrix();
+    for (const Sphere& local : bodies_.spheres(i))
+      heap.spheres.push_back({body.position + body.scale * (turn * local.centre), body.scale * local.radius,
+                              static_cast<std::int32_t>(i)});
   }
   for (const Wall& wall : walls) {
     if (wall.kind == Wall::Kind::base) {

@@ -57,7 +57,6 @@ class Simulation {
   void remove(std::span<const char> keep);
   void clear_loads();
   void book(const ContactWork& work);
-  void update_inertia_terms();
 
   double dt_;
   long steps_ = 0;
@@ -68,7 +67,7 @@ class Simulation {
   ForceKernels kernels_;
   Bodies bodies_;
   ContactList contacts_;
-  std::vector<std::int32_t> touching_;
+  TouchingList touching_;
   TouchingWalls touching_walls_;
 };
 

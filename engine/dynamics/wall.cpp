@@ -75,4 +75,15 @@ WallDistance distance_to(const Wall& wall, const Vec3& point) {
   return {};
 }
 
+bool within_reach(const Wall& wall, const Vec3& p, double reach) {
+  const double dx = p.x() - wall.x_offset, rho_squared = dx * dx + p.y() * p.y();
+  if (wall.kind == Wall::Kind::closed_shell) {
+    const double from_axis = wall.radius - reach;
+    return from_axis <= 0.0 || rho_squared > from_axis * from_axis;
+  }
+  if (wall.kind == Wall::Kind::base && p.z() >= 0.0 && rho_squared <= wall.radius * wall.radius)
+    return p.z() < reach;
+  return distance_to(wall, p).distance < reach;
+}
+
 }  // namespace repose

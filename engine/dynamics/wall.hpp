@@ -41,4 +41,8 @@ struct Wall {
 /// Exact distance of a point to a wall: the nearest of its surface, its rim and its edges.
 WallDistance distance_to(const Wall& wall, const Vec3& point);
 
+/// Whether a point is nearer to a wall than `reach`, without a root where that is easily told. A closed shell
+/// goes on for ever above its rim here: what falls into it is near it before it can touch it.
+bool within_reach(const Wall& wall, const Vec3& point, double reach);
+
 }  // namespace repose

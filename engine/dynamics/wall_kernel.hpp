@@ -7,34 +7,49 @@
 
 namespace repose {
 
-/// First pass: the exact distance of every candidate to its wall. Wall shapes branch, so this pass is scalar;
-/// wall candidates are a small part of all.
+/// The nearest point of a wall, if it can touch: most near candidates of a cylinder are turned down without a
+/// root, and those of the base's top need none.
+REPOSE_INLINE bool may_touch(const Wall& wall, const PlacedSphere& sphere, WallDistance& nearest) {
+  const double x = sphere.centre[0], y = sphere.centre[1], z = sphere.centre[2];
+  if (wall.kind == Wall::Kind::base && z >= 0.0 && x * x + y * y <= wall.radius * wall.radius) {
+    nearest = {Vec3::UnitZ(), z};
+    return true;
+  }
+  if (wall.kind == Wall::Kind::closed_shell) {
+    const double from_axis = wall.radius - sphere.radius, dx = x - wall.x_offset;
+    if (from_axis > 0.0 && dx * dx + y * y < from_axis * from_axis) return false;
+  }
+  nearest = distance_to(wall, Vec3(sphere.centre));
+  return true;
+}
+
+/// First pass: the exact distance of every near candidate to its wall. Wall shapes branch, so this pass is
+/// scalar; wall candidates are a small part of all.
 inline void find_touching_walls(ContactList& list, std::span<const Wall> walls, TouchingWalls& touching) {
-  for (auto* array : {&touching.nx, &touching.ny, &touching.nz, &touching.overlap}) array->clear();
-  touching.candidate.clear();
-  CandidateArrays& contacts = list.wall_contacts;
-  for (std::size_t block = 0; block < contacts.blocks(); ++block) {
+  NearList& near = list.near_walls;
+  touching.start(near.count);
+  for (auto* array : {&touching.nx, &touching.ny, &touching.nz, &touching.overlap})
+    if (array->size() < touching.history.size()) array->resize(touching.history.size(), 1.0);
+  for (std::size_t block = 0; block < near.blocks(); ++block) {
     unsigned mask = 0;
-    const std::size_t first = block * CandidateArrays::kBlock;
-    const std::size_t last = std::min(first + CandidateArrays::kBlock, contacts.count);
-    for (std::size_t c = first; c < last; ++c) {
-      const PlacedSphere& sphere = list.placed[static_cast<std::size_t>(contacts.a[c])];
-      const WallDistance wall =
-          distance_to(walls[static_cast<std::size_t>(contacts.b[c])], Vec3(sphere.centre));
+    const std::size_t first = block * NearList::kBlock;
+    const std::size_t last = std::min(first + NearList::kBlock, near.count);
+    std::size_t n = touching.count;
+    for (std::size_t k = first; k < last; ++k) {
+      const PlacedSphere& sphere = list.placed[static_cast<std::size_t>(near.sphere_a[k] / NearList::kLine)];
+      WallDistance wall;
+      if (!may_touch(walls[static_cast<std::size_t>(near.sphere_b[k])], sphere, wall)) continue;
       const double overlap = sphere.radius - wall.distance;
       if (!(overlap > 0.0)) continue;
-      mask |= 1U << (c - first);
-      touching.candidate.push_back(static_cast<std::int32_t>(c));
-      touching.nx.push_back(wall.normal.x());
-      touching.ny.push_back(wall.normal.y());
-      touching.nz.push_back(wall.normal.z());
-      touching.overlap.push_back(overlap);
+      mask |= 1U << (k - first);
+      touching.nx[n] = wall.normal.x(), touching.ny[n] = wall.normal.y(), touching.nz[n] = wall.normal.z();
+      touching.overlap[n] = overlap;
+      ++n;
     }
-    forget_lost(contacts, block, static_cast<std::uint8_t>(mask));
+    mark_touching(list.wall_contacts, near, block, mask);
+    touching.take(near, block, mask);
   }
-  // Whole vectors can be read at the end of the arrays.
-  for (auto* array : {&touching.nx, &touching.ny, &touching.nz, &touching.overlap})
-    array->resize(array->size() + kSimdWidth, 1.0);
+  touching.finish();
 }
 
 /// Second pass: the contact law against walls of infinite mass and radius, R* = r, m* = m.
@@ -43,20 +58,18 @@ REPOSE_INLINE void wall_block(const ForceStep& step, Bodies& bodies, ContactList
                               std::span<const Wall> walls, const TouchingWalls& touching, std::size_t first,
                               PowerSum& sum) {
   constexpr bool kSpring = has_rolling_spring(kModel);
-  LaneOffsets candidate, index;
   std::array<const Wall*, kSimdWidth> wall;
-  const std::size_t lanes = take_lanes(touching.candidate, first, candidate);
-  for (std::size_t lane = 0; lane < kSimdWidth; ++lane) {
-    const auto c = static_cast<std::size_t>(candidate[lane]);
-    index[lane] = list.wall_contacts.a[c];
-    wall[lane] = &walls[static_cast<std::size_t>(list.wall_contacts.b[c])];
-  }
-  const BlockSide i = load_side(bodies, list.placed, index);
+  const std::size_t lanes = std::min(kSimdWidth, touching.count - first);
+  for (std::size_t lane = 0; lane < kSimdWidth; ++lane)
+    wall[lane] = &walls[static_cast<std::size_t>(touching.sphere_b[first + lane])];
+  const std::int32_t *body = touching.body_a.data() + first, *at_history = touching.history.data() + first;
+  const BlockSide i = load_side(bodies, list.placed, touching.sphere_a.data() + first, body);
   ContactGeometry<SimdReal> contact;
   contact.n = {load(touching.nx, first), load(touching.ny, first), load(touching.nz, first)};
   contact.overlap = load(touching.overlap, first);
   contact.R_eff = i.radius;
   contact.m_eff = i.mass;
+  contact.inverse_m_eff = 1.0 / i.mass;
   contact.inertia_or_limit = 0.0;
   const Triple<SimdReal> arm = i.arm - (i.radius - 0.5 * contact.overlap) * contact.n;
   if constexpr (kModel == RollingModel::type_a_relative)
@@ -71,18 +84,18 @@ REPOSE_INLINE void wall_block(const ForceStep& step, Bodies& bodies, ContactList
   Triple<SimdReal> lead;
   ContactTiming<SimdReal> timing{step.dt, step.lag, step.booked, nullptr};
   if (step.leads) {
-    lead = lead_of(bodies, i.body, arm);
+    lead = lead_of(bodies, body, arm);
     timing.lead = &lead;
   }
-  BlockHistory block = load_history(list.wall_contacts, candidate, kSpring);
+  ContactHistory<SimdReal> history = load_history(list.wall_contacts, at_history, kSpring);
   const ContactForces<SimdReal> f = contact_forces<kModel>(step.wall_law, contact, {i.velocity, i.w, arm},
-                                                           {v_wall, none, none}, timing, block.history);
-  store_history(block, list.wall_contacts, lanes, kSpring);
+                                                           {v_wall, none, none}, timing, history);
+  store_history(history, list.wall_contacts, at_history, lanes, kSpring);
   if (step.booked) sum.add(f.power, dot(f.force, v_wall), lanes);
   SimdReal resist = 0.0;
   if constexpr (kModel == RollingModel::type_a)
     resist = step.wall_law.rolling * absolute(f.F_n) * length(arm);
-  add_fields8(load_fields(f.force, resist, cross(arm, f.force) + f.rolling_torque), i.body,
+  add_fields8(load_fields(f.force, resist, cross(arm, f.force) + f.rolling_torque), body,
               bodies.load.data()->force, lanes);
 }
 
@@ -91,7 +104,7 @@ ContactWork wall_forces(const ForceStep& step, Bodies& bodies, ContactList& list
                         TouchingWalls& touching) {
   find_touching_walls(list, walls, touching);
   PowerSum sum;
-  for (std::size_t first = 0; first < touching.candidate.size(); first += kSimdWidth)
+  for (std::size_t first = 0; first < touching.count; first += kSimdWidth)
     wall_block<kModel>(step, bodies, list, walls, touching, first, sum);
   return sum.work(step.dt);
 }

@@ -52,7 +52,7 @@ class LedContact {
   static Triple<double> triple(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
   void move(const Vec3& velocity, const Vec3& w) {
-    const ContactGeometry<double> geometry{triple(frame_ * Vec3::UnitZ()), overlap_, 1e-3, 1e-3, 0.0};
+    const ContactGeometry<double> geometry{triple(frame_ * Vec3::UnitZ()), overlap_, 1e-3, 1e-3, 0.0, 1e3};
     const ContactSide<double> i{triple(frame_ * velocity + boost_), triple(w), triple(Vec3::Zero())};
     const ContactSide<double> j{triple(boost_), triple(w), triple(Vec3::Zero())};
     const ContactForces<double> f =

@@ -84,8 +84,12 @@ struct EngineContact {
 
 inline EngineContact<double> engine_contact(const RandomContact& c, RollingModel model) {
   EngineContact<double> result;
-  result.geometry = {triple<double>(c.contact.n), c.contact.overlap, c.contact.R_eff, c.contact.m_eff,
-                     model == RollingModel::type_c ? c.contact.rolling_inertia : c.contact.most_per_spin};
+  result.geometry = {triple<double>(c.contact.n),
+                     c.contact.overlap,
+                     c.contact.R_eff,
+                     c.contact.m_eff,
+                     model == RollingModel::type_c ? c.contact.rolling_inertia : c.contact.most_per_spin,
+                     1.0 / c.contact.m_eff};
   const auto side = [](const reference::PlainSide& s) {
     return ContactSide<double>{triple<double>(s.velocity), triple<double>(s.w), triple<double>(s.arm)};
   };
@@ -101,7 +105,7 @@ void visit_numbers(EngineContact<T>& c, Visit visit) {
   const auto three = [&visit](Triple<T>& t) { visit(t.x), visit(t.y), visit(t.z); };
   three(c.geometry.n);
   visit(c.geometry.overlap), visit(c.geometry.R_eff), visit(c.geometry.m_eff),
-      visit(c.geometry.inertia_or_limit);
+      visit(c.geometry.inertia_or_limit), visit(c.geometry.inverse_m_eff);
   for (auto* side : {&c.i, &c.j}) three(side->velocity), three(side->w), three(side->arm);
   three(c.history.tangential.value);
   visit(c.history.tangential.root);

@@ -23,7 +23,7 @@ double friction_impulse_ratio(TangentialHistory history, double restitution) {
   for (int step = 0; step < 200000; ++step) {
     overlap -= dt * v_normal;
     if (overlap <= 0.0) break;
-    const ContactGeometry<double> geometry{{0.0, 0.0, 1.0}, overlap, kRadius, kMass, 0.0};
+    const ContactGeometry<double> geometry{{0.0, 0.0, 1.0}, overlap, kRadius, kMass, 0.0, 1.0 / kMass};
     const ContactSide<double> sphere{{v_tangent, 0.0, v_normal}, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
     const ContactSide<double> wall{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
     const auto forces = contact_forces<RollingModel::type_a>(law, geometry, sphere, wall, {dt}, memory);

@@ -41,7 +41,7 @@ TEST(Integrate, MovesABodyAsThrowsAndKicksDo) {
   const int n = 1000;
   for (int k = 0; k < n; ++k) {
     bodies.load[0].force[1] = 0.2 * m;
-    integrate(bodies, {dt, false});
+    integrate(bodies, {dt, RollingModel::type_c});
   }
   EXPECT_NEAR(bodies.x[0], 0.1, 1e-13);
   EXPECT_NEAR(bodies.y[0], dt * dt * 0.5 * n * (n + 1) * 0.2, 1e-14);
@@ -53,7 +53,7 @@ TEST(Integrate, TurnsASphereByTheImpulseOfATorque) {
   Bodies bodies = one_body(sphere_clump(2e-3), {3.0, 0.0, 0.0});
   const double moment = 1.0 / bodies.inverse_i1[0];
   bodies.load[0].torque[1] = moment * 5.0;
-  for (int k = 0; k < 10; ++k) integrate(bodies, {1e-2, false});
+  for (int k = 0; k < 10; ++k) integrate(bodies, {1e-2, RollingModel::type_c});
   EXPECT_NEAR(bodies.motion[0].w[0], 3.0, 1e-13);
   EXPECT_NEAR(bodies.motion[0].w[1], 0.5, 1e-13);
 }
@@ -61,7 +61,7 @@ TEST(Integrate, TurnsASphereByTheImpulseOfATorque) {
 TEST(Integrate, KeepsTheAngularMomentumOfAFreeBodyToTheLastBit) {
   Bodies bodies = one_body(top_like_body(), {0.1, 20.0, 0.1});
   const Vec3 before = momentum(bodies);
-  for (int k = 0; k < 100000; ++k) integrate(bodies, {1e-4, false});
+  for (int k = 0; k < 100000; ++k) integrate(bodies, {1e-4, RollingModel::type_c});
   EXPECT_EQ(momentum(bodies), before);
   // ω follows from L and the orientation, whose norm and axes stay those of a rotation.
   EXPECT_NEAR(bodies.orientation(0).norm(), 1.0, 1e-14);
@@ -79,7 +79,7 @@ Quat tumbled(double dt, double& energy_error) {
   energy_error = 0.0;
   const int steps = static_cast<int>(std::lround(0.5 / dt));
   for (int k = 0; k < steps; ++k) {
-    integrate(bodies, {dt, false});
+    integrate(bodies, {dt, RollingModel::type_c});
     energy_error = std::max(energy_error, std::abs(rotational_energy(bodies) / before - 1.0));
   }
   return bodies.orientation(0);
@@ -100,7 +100,7 @@ TEST(Integrate, KeepsTheEnergyOfAFreeBodyBounded) {
   const double before = rotational_energy(bodies);
   double halves[2] = {0.0, 0.0};
   for (int k = 0; k < 200000; ++k) {
-    integrate(bodies, {2e-4, false});
+    integrate(bodies, {2e-4, RollingModel::type_c});
     halves[k / 100000] = std::max(halves[k / 100000], std::abs(rotational_energy(bodies) / before - 1.0));
   }
   EXPECT_LT(halves[1], 1.02 * halves[0]);
@@ -117,7 +117,7 @@ TEST(Integrate, LetsASymmetricTopPrecessAtItsRate) {
   const Vec3 start = bodies.orientation(0) * Vec3::UnitZ();
   const double time = 2.0 * kPi / rate;  // one turn
   const int steps = 20000;
-  for (int k = 0; k < steps; ++k) integrate(bodies, {time / steps, false});
+  for (int k = 0; k < steps; ++k) integrate(bodies, {time / steps, RollingModel::type_c});
   const Vec3 end = bodies.orientation(0) * Vec3::UnitZ();
   EXPECT_LT((end - start).norm(), 1e-6);
   EXPECT_NEAR(end.dot(axis), start.dot(axis), 1e-7);
@@ -140,8 +140,8 @@ TEST(Integrate, GivesEveryBodyWhatItWouldDoAlone) {
         k % 3 == 0 ? 1e-9 : 0.0;
   }
   for (int step = 0; step < 100; ++step) {
-    integrate(together, {1e-4, true});
-    for (Bodies& body : alone) integrate(body, {1e-4, true});
+    integrate(together, {1e-4, RollingModel::type_a});
+    for (Bodies& body : alone) integrate(body, {1e-4, RollingModel::type_a});
   }
   for (std::size_t k = 0; k < alone.size(); ++k) {
     EXPECT_EQ(together.position(k), alone[k].position(0));
@@ -154,9 +154,9 @@ TEST(RollingTypeA, SlowsASphereByItsConstantTorqueAndStopsIt) {
   Bodies bodies = one_body(sphere_clump(2e-3), {0.0, 8.0, 6.0});
   const double moment = 1.0 / bodies.inverse_i1[0], dt = 1e-3;
   bodies.load[0].rolling = moment * 100.0;  // 100 rad/s²
-  for (int k = 0; k < 50; ++k) integrate(bodies, {dt, true});
+  for (int k = 0; k < 50; ++k) integrate(bodies, {dt, RollingModel::type_a});
   EXPECT_LT((bodies.angular_velocity(0) - 0.5 * Vec3(0.0, 8.0, 6.0)).norm(), 1e-12);
-  for (int k = 0; k < 51; ++k) integrate(bodies, {dt, true});
+  for (int k = 0; k < 51; ++k) integrate(bodies, {dt, RollingModel::type_a});
   EXPECT_EQ(bodies.angular_velocity(0), Vec3::Zero());
 }
 
@@ -164,7 +164,7 @@ TEST(RollingTypeA, LeavesABodyAtRestAtRest) {
   Bodies bodies = one_body(top_like_body(), Vec3::Zero());
   bodies.load[0].rolling = 1.0;
   const Quat before = bodies.orientation(0);
-  for (int k = 0; k < 100; ++k) integrate(bodies, {1e-3, true});
+  for (int k = 0; k < 100; ++k) integrate(bodies, {1e-3, RollingModel::type_a});
   EXPECT_EQ(bodies.angular_velocity(0), Vec3::Zero());
   EXPECT_EQ(bodies.orientation(0).coeffs(), before.coeffs());
 }
@@ -178,7 +178,7 @@ TEST(RollingTypeA, NeverTurnsTheRotationRoundNorAddsEnergy) {
     const double energy = rotational_energy(bodies);
     const double dt = 1e-11;  // the free rotation within the step is nothing beside the torque
     bodies.load[0].rolling = momentum(bodies).norm() / dt * std::pow(10.0, random.uniform(-3.0, 1.0));
-    integrate(bodies, {dt, true});
+    integrate(bodies, {dt, RollingModel::type_a});
     EXPECT_LE(rotational_energy(bodies), energy * (1.0 + 1e-12));
     EXPECT_GE(bodies.angular_velocity(0).dot(q * w), -1e-9 * w.squaredNorm());
     EXPECT_TRUE(bodies.angular_velocity(0).allFinite());

@@ -38,8 +38,8 @@ TEST(SimdRecords, LoadsEveryFieldOfEveryLane) {
   const Table table(random);
   for (int trial = 0; trial < 100; ++trial) {
     const LaneOffsets at = some_records(random, trial % 2 == 0);
-    const Fields8 eight = load_fields8(table.value.data(), at);
-    const Fields4 four = load_fields4(table.value.data(), at);
+    const Fields8 eight = load_fields8(table.value.data(), at.data());
+    const Fields4 four = load_fields4(table.value.data(), at.data());
     for (std::size_t lane = 0; lane < kSimdWidth; ++lane) {
       const auto first = static_cast<std::size_t>(at[lane]);
       for (std::size_t f = 0; f < 8; ++f) EXPECT_EQ(eight[f][lane], table.value[first + f]);
@@ -55,7 +55,7 @@ TEST(SimdRecords, StoresOnlyTheFieldsAndLanesThatAreMeant) {
     const LaneOffsets from = some_records(random, false), to = some_records(random, false);
     Table four(random);
     Table expected = four;
-    store_fields4(load_fields4(source.value.data(), from), four.value.data(), to, lanes);
+    store_fields4(load_fields4(source.value.data(), from.data()), four.value.data(), to.data(), lanes);
     for (std::size_t lane = 0; lane < lanes; ++lane)
       for (std::size_t f = 0; f < 4; ++f)
         expected.value[static_cast<std::size_t>(to[lane]) + f] =
@@ -64,7 +64,7 @@ TEST(SimdRecords, StoresOnlyTheFieldsAndLanesThatAreMeant) {
 
     Table eight(random);
     expected = eight;
-    store_fields8(load_fields8(source.value.data(), from), eight.value.data(), to);
+    store_fields8(load_fields8(source.value.data(), from.data()), eight.value.data(), to.data());
     for (std::size_t lane = 0; lane < kSimdWidth; ++lane)
       for (std::size_t f = 0; f < 8; ++f)
         expected.value[static_cast<std::size_t>(to[lane]) + f] =
@@ -79,11 +79,11 @@ TEST(SimdRecords, AddsLaneAfterLaneWhereLanesShareARecord) {
   for (std::size_t lanes = 1; lanes <= kSimdWidth; ++lanes) {
     const LaneOffsets from = some_records(random, false);
     const LaneOffsets at_a = some_records(random, true), at_b = some_records(random, true);
-    const Fields8 fields = load_fields8(source.value.data(), from);
+    const Fields8 fields = load_fields8(source.value.data(), from.data());
     Table sums(random);
     Table expected = sums;
-    add_fields8(fields, at_a, fields, at_b, sums.value.data(), lanes);
-    add_fields8(fields, at_a, sums.value.data(), lanes);
+    add_fields8(fields, at_a.data(), fields, at_b.data(), sums.value.data(), lanes);
+    add_fields8(fields, at_a.data(), sums.value.data(), lanes);
     const auto add = [&](const LaneOffsets& at, std::size_t lane) {
       for (std::size_t f = 0; f < 8; ++f)
         expected.value[static_cast<std::size_t>(at[lane]) + f] +=

@@ -113,7 +113,7 @@ Convergence rotation() {
   Convergence result;
   for (const int steps : {500, 1000, 2000, 4000}) {
     Bodies body = tumbling_body();
-    for (int k = 0; k < steps; ++k) integrate(body, {end / steps, false});
+    for (int k = 0; k < steps; ++k) integrate(body, {end / steps, RollingModel::type_c});
     result.steps.push_back(end / steps);
     result.errors.push_back(body.orientation(0).angularDistance(exact));
   }

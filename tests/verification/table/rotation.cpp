@@ -18,7 +18,7 @@ Rows middle_axis() {
   const double E = energy(bodies);
   const Vec3 L = momentum(bodies);
   for (int k = 0; k < 100000; ++k) {
-    integrate(bodies, {5e-5, false});
+    integrate(bodies, {5e-5, RollingModel::type_c});
     if (k % 10 == 0) worst.add(E, energy(bodies));
   }
   worst.add(L.norm(), L.norm() + (momentum(bodies) - L).norm());
