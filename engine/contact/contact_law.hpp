@@ -29,6 +29,20 @@ struct ContactGeometry {
   T inverse_m_eff;     ///< 1/m* [1/kg]; used where ContactTiming::lag is
 };
 
+/// How the sides of a contact move against one another.
+template <class T>
+struct ContactMotion {
+  Triple<T> v;      ///< v_i − v_j at the contact point [m/s]
+  Triple<T> w_rel;  ///< ω_i − ω_j [rad/s]
+  T w_normal;       ///< (ω_i + ω_j)·n [rad/s]
+};
+
+template <class T>
+REPOSE_INLINE ContactMotion<T> relative_motion(const Triple<T>& n, const ContactSide<T>& i,
+                                               const ContactSide<T>& j) {
+  return {(i.velocity + cross(i.w, i.arm)) - (j.velocity + cross(j.w, j.arm)), i.w - j.w, dot(i.w + j.w, n)};
+}
+
 template <class T>
 struct ContactHistory {
   TangentialSpring<T> tangential;
@@ -75,12 +89,11 @@ struct ContactForces {
 /// choices of law are uniform branches, which cost nothing measurable.
 template <RollingModel kModel, class T>
 REPOSE_INLINE ContactForces<T> contact_forces(const LawParameters& law, const ContactGeometry<T>& contact,
-                                              const ContactSide<T>& i, const ContactSide<T>& j,
-                                              const ContactTiming<T>& timing, ContactHistory<T>& history) {
+                                              const ContactMotion<T>& motion, const ContactTiming<T>& timing,
+                                              ContactHistory<T>& history) {
   const double dt = timing.dt;
-  const Triple<T> v = (i.velocity + cross(i.w, i.arm)) - (j.velocity + cross(j.w, j.arm));
-  const T v_normal = dot(v, contact.n);
-  const Triple<T> v_tangent = v - v_normal * contact.n;
+  const T v_normal = dot(motion.v, contact.n);
+  const Triple<T> v_tangent = motion.v - v_normal * contact.n;
   T v_normal_damped = v_normal;
   Triple<T> v_tangent_damped = v_tangent;
   if (timing.lead != nullptr) {
@@ -93,12 +106,12 @@ REPOSE_INLINE ContactForces<T> contact_forces(const LawParameters& law, const Co
 
   // One division serves three: by the square of the turned spring, the contact's old radius and the relative
   // spin. A division takes as long as some twenty multiplications.
-  const TurnedSpring<T> turned = turned_spring(history.tangential.value, contact.n, i.w, j.w, dt);
+  const TurnedSpring<T> turned =
+      turned_spring(history.tangential.value, contact.n, T(0.5 * dt * motion.w_normal));
   const auto known = history.tangential.root > 0.0;
   const T root_before = select(known, history.tangential.root, T(1.0));
-  const Triple<T> w_rel = i.w - j.w;
   T spin = 1.0;
-  if constexpr (kModel == RollingModel::type_a_relative) spin = spin_or_one(w_rel);
+  if constexpr (kModel == RollingModel::type_a_relative) spin = spin_or_one(motion.w_rel);
   const T inverse = 1.0 / (turned.after * root_before * spin);
   history.tangential.value = turned.with_old_length(inverse * root_before * spin);
   const T unloading = stiffness.root * (inverse * turned.after * spin);
@@ -123,7 +136,7 @@ REPOSE_INLINE ContactForces<T> contact_forces(const LawParameters& law, const Co
   if constexpr (kModel != RollingModel::type_a) {
     const double modulus = kModel == RollingModel::type_c ? (4.0 / 3.0) * law.young : 8.0 * law.shear;
     const RollingContact<T> rolling{
-        contact.n,      w_rel,        contact.R_eff,           modulus * stiffness.root,
+        contact.n,      motion.w_rel, contact.R_eff,           modulus * stiffness.root,
         normal.elastic, normal.total, contact.inertia_or_limit};
     Triple<T> mean;
     if constexpr (has_rolling_spring(kModel)) {

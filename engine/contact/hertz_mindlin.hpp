@@ -66,13 +66,11 @@ struct TurnedSpring {
 /// The spring of the last step, carried with the contact as the pair moves: turned with its normal and with
 /// the mean spin of the two bodies about it, so that a pair that rotates as one body keeps its tangential
 /// force.
-///   s ← s + Δt ½(ω_i + ω_j)·n (n × s);   s ← s − (s·n) n, with its old length
+///   s ← s + φ (n × s), φ = Δt ½(ω_i + ω_j)·n;   s ← s − (s·n) n, with its old length
 /// Projection leaves the tangent plane to second order in the angle of a step; the old length is restored
 /// exactly.
 template <class T>
-REPOSE_INLINE TurnedSpring<T> turned_spring(const Triple<T>& spring, const Triple<T>& n, const Triple<T>& w_i,
-                                            const Triple<T>& w_j, double dt) {
-  const T spin = (0.5 * dt) * dot(w_i + w_j, n);
+REPOSE_INLINE TurnedSpring<T> turned_spring(const Triple<T>& spring, const Triple<T>& n, const T& spin) {
   const Triple<T> spun = spring + spin * cross(n, spring);
   const Triple<T> flat = spun - dot(spun, n) * n;
   constexpr double kNone = 1e-60;  // square of what no force or displacement counts as

@@ -51,6 +51,37 @@ REPOSE_INLINE T larger(const T& a, const T& b) {
 
 inline constexpr std::size_t kSimdWidth = SimdReal::size();
 
+/// Two vectors that go the same way side by side. A law is one long chain of roots and divisions, during
+/// which a core has nothing else to do; with a second chain beside it, it has. Measured in
+/// tools/bench/NOTES.md.
+struct Twin {
+  struct mask_type {
+    SimdReal::mask_type one, two;
+  };
+  SimdReal one, two;
+
+  Twin() = default;
+  REPOSE_INLINE Twin(double x) : one(x), two(x) {}
+  REPOSE_INLINE Twin(const SimdReal& first, const SimdReal& second) : one(first), two(second) {}
+
+  REPOSE_INLINE friend Twin operator+(const Twin& a, const Twin& b) { return {a.one + b.one, a.two + b.two}; }
+  REPOSE_INLINE friend Twin operator-(const Twin& a, const Twin& b) { return {a.one - b.one, a.two - b.two}; }
+  REPOSE_INLINE friend Twin operator*(const Twin& a, const Twin& b) { return {a.one * b.one, a.two * b.two}; }
+  REPOSE_INLINE friend Twin operator/(const Twin& a, const Twin& b) { return {a.one / b.one, a.two / b.two}; }
+  REPOSE_INLINE friend Twin operator-(const Twin& a) { return {-a.one, -a.two}; }
+  REPOSE_INLINE friend mask_type operator<(const Twin& a, const Twin& b) {
+    return {a.one < b.one, a.two < b.two};
+  }
+  REPOSE_INLINE friend mask_type operator>(const Twin& a, const Twin& b) {
+    return {a.one > b.one, a.two > b.two};
+  }
+};
+REPOSE_INLINE Twin select(const Twin::mask_type& condition, const Twin& yes, const Twin& no) {
+  return {select<SimdReal>(condition.one, yes.one, no.one), select<SimdReal>(condition.two, yes.two, no.two)};
+}
+REPOSE_INLINE Twin square_root(const Twin& x) { return {stdx::sqrt(x.one), stdx::sqrt(x.two)}; }
+REPOSE_INLINE Twin absolute(const Twin& x) { return {stdx::abs(x.one), stdx::abs(x.two)}; }
+
 /// kSimdWidth values of an array from `first` on; their number is a multiple of kSimdWidth.
 REPOSE_INLINE SimdReal load(const std::vector<double>& array, std::size_t first) {
   return SimdReal(array.data() + first, stdx::element_aligned);
@@ -92,6 +123,12 @@ struct Triple {
   }
   REPOSE_INLINE friend T length(const Triple& a) { return square_root(dot(a, a)); }
 };
+
+REPOSE_INLINE Triple<Twin> twin(const Triple<SimdReal>& one, const Triple<SimdReal>& two) {
+  return {{one.x, two.x}, {one.y, two.y}, {one.z, two.z}};
+}
+REPOSE_INLINE Triple<SimdReal> first_of(const Triple<Twin>& t) { return {t.x.one, t.y.one, t.z.one}; }
+REPOSE_INLINE Triple<SimdReal> second_of(const Triple<Twin>& t) { return {t.x.two, t.y.two, t.z.two}; }
 
 template <class M, class T>
 REPOSE_INLINE Triple<T> select3(const M& condition, const Triple<T>& yes, const Triple<T>& no) {

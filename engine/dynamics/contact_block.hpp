@@ -76,6 +76,45 @@ REPOSE_INLINE void store_history(const ContactHistory<SimdReal>& loaded, Candida
                 lanes);
 }
 
+// Two blocks side by side, and what comes out of them.
+REPOSE_INLINE ContactHistory<Twin> twin(const ContactHistory<SimdReal>& a,
+                                        const ContactHistory<SimdReal>& b) {
+  return {{twin(a.tangential.value, b.tangential.value), {a.tangential.root, b.tangential.root}},
+          twin(a.rolling, b.rolling)};
+}
+REPOSE_INLINE ContactGeometry<Twin> twin(const ContactGeometry<SimdReal>& a,
+                                         const ContactGeometry<SimdReal>& b) {
+  return {twin(a.n, b.n),
+          {a.overlap, b.overlap},
+          {a.R_eff, b.R_eff},
+          {a.m_eff, b.m_eff},
+          {a.inertia_or_limit, b.inertia_or_limit},
+          {a.inverse_m_eff, b.inverse_m_eff}};
+}
+REPOSE_INLINE ContactMotion<Twin> twin(const ContactMotion<SimdReal>& a, const ContactMotion<SimdReal>& b) {
+  return {twin(a.v, b.v), twin(a.w_rel, b.w_rel), {a.w_normal, b.w_normal}};
+}
+REPOSE_INLINE ContactHistory<SimdReal> first_of(const ContactHistory<Twin>& h) {
+  return {{first_of(h.tangential.value), h.tangential.root.one}, first_of(h.rolling)};
+}
+REPOSE_INLINE ContactHistory<SimdReal> second_of(const ContactHistory<Twin>& h) {
+  return {{second_of(h.tangential.value), h.tangential.root.two}, second_of(h.rolling)};
+}
+REPOSE_INLINE ContactForces<SimdReal> first_of(const ContactForces<Twin>& f) {
+  const ContactPower<Twin>& p = f.power;
+  return {first_of(f.force),
+          first_of(f.rolling_torque),
+          f.F_n.one,
+          {p.normal_damping.one, p.tangential_damping.one, p.spring.one, p.rolling.one}};
+}
+REPOSE_INLINE ContactForces<SimdReal> second_of(const ContactForces<Twin>& f) {
+  const ContactPower<Twin>& p = f.power;
+  return {second_of(f.force),
+          second_of(f.rolling_torque),
+          f.F_n.two,
+          {p.normal_damping.two, p.tangential_damping.two, p.spring.two, p.rolling.two}};
+}
+
 /// Sums the power of blocks, lane by lane.
 struct PowerSum {
   SimdReal normal_damping = 0.0, tangential_damping = 0.0, spring = 0.0, rolling = 0.0, wall = 0.0;

@@ -64,54 +64,111 @@ REPOSE_INLINE ContactGeometry<SimdReal> pair_geometry(const BlockSide& i, const 
   return contact;
 }
 
-/// Second pass: the contact law for one block of touching pairs. The contact point lies in the middle of the
-/// overlap.
+/// A block of touching pairs on its way through the passes.
+struct PairBlock {
+  ContactGeometry<SimdReal> contact;
+  ContactMotion<SimdReal> motion;
+  Triple<SimdReal> arm_i, arm_j;  ///< contact point − centre of mass [m]
+  Triple<SimdReal> lead;          ///< where ForceStep::leads
+  Triple<SimdReal> force, rolling_torque;
+  SimdReal F_n;
+};
+
+/// Second pass: geometry and relative motion. The contact point lies in the middle of the overlap.
 template <RollingModel kModel>
-REPOSE_INLINE void pair_block(const ForceStep& step, Bodies& bodies, ContactList& list,
-                              const TouchingList& touching, std::size_t first, PowerSum& sum) {
-  constexpr bool kSpring = has_rolling_spring(kModel);
-  const std::size_t lanes = std::min(kSimdWidth, touching.count - first);
+REPOSE_INLINE void pair_motion(const ForceStep& step, const Bodies& bodies, const ContactList& list,
+                               const TouchingList& touching, std::size_t first, PairBlock& block) {
   const std::int32_t *body_i = touching.body_a.data() + first, *body_j = touching.body_b.data() + first;
   const BlockSide i = load_side(bodies, list.placed, touching.sphere_a.data() + first, body_i);
   const BlockSide j = load_side(bodies, list.placed, touching.sphere_b.data() + first, body_j);
-
-  ContactGeometry<SimdReal> contact = pair_geometry<kModel>(i, j, step.dt);
-  const Triple<SimdReal> arm_i = i.arm - (i.radius - 0.5 * contact.overlap) * contact.n;
-  const Triple<SimdReal> arm_j = j.arm + (j.radius - 0.5 * contact.overlap) * contact.n;
+  block.contact = pair_geometry<kModel>(i, j, step.dt);
+  block.arm_i = i.arm - (i.radius - 0.5 * block.contact.overlap) * block.contact.n;
+  block.arm_j = j.arm + (j.radius - 0.5 * block.contact.overlap) * block.contact.n;
   if constexpr (kModel == RollingModel::type_c)
-    contact.inertia_or_limit = inertia_about_contact(i, j, arm_i, arm_j);
-
-  Triple<SimdReal> lead;
-  ContactTiming<SimdReal> timing{step.dt, step.lag, step.booked, nullptr};
-  if (step.leads) {
-    lead = lead_of(bodies, body_i, arm_i) - lead_of(bodies, body_j, arm_j);
-    timing.lead = &lead;
-  }
-  const std::int32_t* at_history = touching.history.data() + first;
-  ContactHistory<SimdReal> history = load_history(list.pairs, at_history, kSpring);
-  const ContactForces<SimdReal> f = contact_forces<kModel>(step.pair_law, contact, {i.velocity, i.w, arm_i},
-                                                           {j.velocity, j.w, arm_j}, timing, history);
-  store_history(history, list.pairs, at_history, lanes, kSpring);
-  if (step.booked) sum.add(f.power, SimdReal(0.0), lanes);
-
-  SimdReal resist_i = 0.0, resist_j = 0.0;
-  if constexpr (kModel == RollingModel::type_a) {
-    const SimdReal size = step.pair_law.rolling * absolute(f.F_n);
-    resist_i = size * length(arm_i);
-    resist_j = size * length(arm_j);
-  }
-  const Triple<SimdReal> minus = SimdReal(-1.0) * f.force;
-  add_fields8(load_fields(f.force, resist_i, cross(arm_i, f.force) + f.rolling_torque), body_i,
-              load_fields(minus, resist_j, cross(arm_j, minus) - f.rolling_torque), body_j,
-              bodies.load.data()->force, lanes);
+    block.contact.inertia_or_limit = inertia_about_contact(i, j, block.arm_i, block.arm_j);
+  block.motion = relative_motion<SimdReal>(block.contact.n, {i.velocity, i.w, block.arm_i},
+                                           {j.velocity, j.w, block.arm_j});
+  if (step.leads) block.lead = lead_of(bodies, body_i, block.arm_i) - lead_of(bodies, body_j, block.arm_j);
 }
 
+/// What a law gives goes to the history, the ledger and the block.
+REPOSE_INLINE void keep(const ContactForces<SimdReal>& f, const ContactHistory<SimdReal>& history, bool rolls,
+                        const ForceStep& step, ContactList& list, const TouchingList& touching,
+                        std::size_t first, PairBlock& block, PowerSum& sum) {
+  const std::size_t lanes = std::min(kSimdWidth, touching.count - first);
+  store_history(history, list.pairs, touching.history.data() + first, lanes, rolls);
+  if (step.booked) sum.add(f.power, SimdReal(0.0), lanes);
+  block.force = f.force, block.rolling_torque = f.rolling_torque, block.F_n = f.F_n;
+}
+
+/// Third pass: the contact law, for two blocks side by side.
+template <RollingModel kModel>
+REPOSE_INLINE void pair_law_twice(const ForceStep& step, ContactList& list, const TouchingList& touching,
+                                  std::size_t first, PairBlock& a, PairBlock& b, PowerSum& sum) {
+  constexpr bool kSpring = has_rolling_spring(kModel);
+  const std::int32_t* at_history = touching.history.data() + first;
+  ContactHistory<Twin> history = twin(load_history(list.pairs, at_history, kSpring),
+                                      load_history(list.pairs, at_history + kSimdWidth, kSpring));
+  const Triple<Twin> lead = step.leads ? twin(a.lead, b.lead) : Triple<Twin>{0.0, 0.0, 0.0};
+  const ContactTiming<Twin> timing{step.dt, step.lag, step.booked, step.leads ? &lead : nullptr};
+  const ContactForces<Twin> f = contact_forces<kModel>(step.pair_law, twin(a.contact, b.contact),
+                                                       twin(a.motion, b.motion), timing, history);
+  keep(first_of(f), first_of(history), kSpring, step, list, touching, first, a, sum);
+  keep(second_of(f), second_of(history), kSpring, step, list, touching, first + kSimdWidth, b, sum);
+}
+
+/// The same for a block that is left over.
+template <RollingModel kModel>
+REPOSE_INLINE void pair_law(const ForceStep& step, ContactList& list, const TouchingList& touching,
+                            std::size_t first, PairBlock& block, PowerSum& sum) {
+  constexpr bool kSpring = has_rolling_spring(kModel);
+  ContactHistory<SimdReal> history = load_history(list.pairs, touching.history.data() + first, kSpring);
+  const ContactTiming<SimdReal> timing{step.dt, step.lag, step.booked, step.leads ? &block.lead : nullptr};
+  const ContactForces<SimdReal> f =
+      contact_forces<kModel>(step.pair_law, block.contact, block.motion, timing, history);
+  keep(f, history, kSpring, step, list, touching, first, block, sum);
+}
+
+/// Fourth pass: forces and torques added up by body.
+template <RollingModel kModel>
+REPOSE_INLINE void pair_loads(const ForceStep& step, Bodies& bodies, const TouchingList& touching,
+                              std::size_t first, const PairBlock& block) {
+  const std::size_t lanes = std::min(kSimdWidth, touching.count - first);
+  SimdReal resist_i = 0.0, resist_j = 0.0;
+  if constexpr (kModel == RollingModel::type_a) {
+    const SimdReal size = step.pair_law.rolling * absolute(block.F_n);
+    resist_i = size * length(block.arm_i);
+    resist_j = size * length(block.arm_j);
+  }
+  const Triple<SimdReal> minus = SimdReal(-1.0) * block.force;
+  add_fields8(load_fields(block.force, resist_i, cross(block.arm_i, block.force) + block.rolling_torque),
+              touching.body_a.data() + first,
+              load_fields(minus, resist_j, cross(block.arm_j, minus) - block.rolling_torque),
+              touching.body_b.data() + first, bodies.load.data()->force, lanes);
+}
+
+/// The passes take a few blocks each, that stay in the first cache level between them. All passes in one were
+/// a chain of 1,000 instructions a block, of which a core looks ahead to less than half: it waited for roots.
 template <RollingModel kModel>
 ContactWork pair_forces(const ForceStep& step, Bodies& bodies, ContactList& list, TouchingList& touching) {
+  constexpr std::size_t kBlocks = 4;
   find_touching(list, touching);
   PowerSum sum;
-  for (std::size_t first = 0; first < touching.count; first += kSimdWidth)
-    pair_block<kModel>(step, bodies, list, touching, first, sum);
+  std::array<PairBlock, kBlocks> blocks;
+  for (std::size_t begin = 0; begin < touching.count; begin += kBlocks * kSimdWidth) {
+    const std::size_t end = std::min(begin + kBlocks * kSimdWidth, touching.count);
+    PairBlock* block = blocks.data();
+    for (std::size_t first = begin; first < end; first += kSimdWidth)
+      pair_motion<kModel>(step, bodies, list, touching, first, *block++);
+    block = blocks.data();
+    std::size_t at = begin;
+    for (; at + kSimdWidth < end; at += 2 * kSimdWidth, block += 2)
+      pair_law_twice<kModel>(step, list, touching, at, block[0], block[1], sum);
+    if (at < end) pair_law<kModel>(step, list, touching, at, *block, sum);
+    block = blocks.data();
+    for (std::size_t first = begin; first < end; first += kSimdWidth)
+      pair_loads<kModel>(step, bodies, touching, first, *block++);
+  }
   return sum.work(step.dt);
 }
 

@@ -22,7 +22,7 @@ ContactList::Skins skins_of(const Scene& scene, double dt) {
       volume += shape.volume / static_cast<double>(particles.shapes.size());
   const double diameter = std::cbrt(6.0 * volume / kPi);
   const double fall = std::sqrt(2.0 * kGravity * scene.test.cylinder_height) * dt;
-  return {0.25 * diameter + 7.0 * fall, 0.15 * diameter + 6.0 * fall};
+  return {0.4 * diameter + 7.0 * fall, 0.1 * diameter + 6.0 * fall};
 }
 
 ForceStep laws_of(const Scene& scene, double dt) {

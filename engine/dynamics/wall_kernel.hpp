@@ -81,6 +81,7 @@ REPOSE_INLINE void wall_block(const ForceStep& step, Bodies& bodies, ContactList
                                 SimdReal([&](auto lane) { return wall[lane]->velocity.y(); }),
                                 SimdReal([&](auto lane) { return wall[lane]->velocity.z(); })};
 
+  const auto motion = relative_motion<SimdReal>(contact.n, {i.velocity, i.w, arm}, {v_wall, none, none});
   Triple<SimdReal> lead;
   ContactTiming<SimdReal> timing{step.dt, step.lag, step.booked, nullptr};
   if (step.leads) {
@@ -88,8 +89,7 @@ REPOSE_INLINE void wall_block(const ForceStep& step, Bodies& bodies, ContactList
     timing.lead = &lead;
   }
   ContactHistory<SimdReal> history = load_history(list.wall_contacts, at_history, kSpring);
-  const ContactForces<SimdReal> f = contact_forces<kModel>(step.wall_law, contact, {i.velocity, i.w, arm},
-                                                           {v_wall, none, none}, timing, history);
+  const ContactForces<SimdReal> f = contact_forces<kModel>(step.wall_law, contact, motion, timing, history);
   store_history(history, list.wall_contacts, at_history, lanes, kSpring);
   if (step.booked) sum.add(f.power, dot(f.force, v_wall), lanes);
   SimdReal resist = 0.0;

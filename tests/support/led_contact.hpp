@@ -55,8 +55,8 @@ class LedContact {
     const ContactGeometry<double> geometry{triple(frame_ * Vec3::UnitZ()), overlap_, 1e-3, 1e-3, 0.0, 1e3};
     const ContactSide<double> i{triple(frame_ * velocity + boost_), triple(w), triple(Vec3::Zero())};
     const ContactSide<double> j{triple(boost_), triple(w), triple(Vec3::Zero())};
-    const ContactForces<double> f =
-        contact_forces<RollingModel::type_a>(law_, geometry, i, j, {1.0}, history_);
+    const ContactForces<double> f = contact_forces<RollingModel::type_a>(
+        law_, geometry, relative_motion(geometry.n, i, j), {1.0}, history_);
     force_ = frame_.conjugate() * Vec3(f.force.x, f.force.y, f.force.z);
   }
 

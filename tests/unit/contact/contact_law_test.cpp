@@ -16,14 +16,16 @@ constexpr bool kHasTorque = kModel != RollingModel::type_a;
 
 template <RollingModel kModel>
 Numbers engine_numbers(const LawParameters& law, EngineContact<double> c) {
-  const ContactForces<double> f = contact_forces<kModel>(law, c.geometry, c.i, c.j, {kStep}, c.history);
+  const ContactForces<double> f =
+      contact_forces<kModel>(law, c.geometry, relative_motion(c.geometry.n, c.i, c.j), {kStep}, c.history);
   return numbers_of(f, c.history, kHasTorque<kModel>);
 }
 
 template <RollingModel kModel>
 std::array<Numbers, kSimdWidth> engine_numbers(const LawParameters& law, Block block) {
   EngineContact<SimdReal> c = to_lanes(block);
-  const ContactForces<SimdReal> f = contact_forces<kModel>(law, c.geometry, c.i, c.j, {kStep}, c.history);
+  const ContactForces<SimdReal> f =
+      contact_forces<kModel>(law, c.geometry, relative_motion(c.geometry.n, c.i, c.j), {kStep}, c.history);
   const auto numbers = numbers_of(f, c.history, kHasTorque<kModel>);
   std::array<Numbers, kSimdWidth> lanes{};
   for (std::size_t lane = 0; lane < kSimdWidth; ++lane)

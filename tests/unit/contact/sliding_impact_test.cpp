@@ -26,7 +26,8 @@ double friction_impulse_ratio(TangentialHistory history, double restitution) {
     const ContactGeometry<double> geometry{{0.0, 0.0, 1.0}, overlap, kRadius, kMass, 0.0, 1.0 / kMass};
     const ContactSide<double> sphere{{v_tangent, 0.0, v_normal}, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
     const ContactSide<double> wall{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
-    const auto forces = contact_forces<RollingModel::type_a>(law, geometry, sphere, wall, {dt}, memory);
+    const auto forces = contact_forces<RollingModel::type_a>(
+        law, geometry, relative_motion(geometry.n, sphere, wall), {dt}, memory);
     v_normal += dt * forces.force.z / kMass;
     v_tangent += dt * forces.force.x / kMass;
     impulse -= dt * forces.force.x;

@@ -112,7 +112,7 @@ Vec3 spring_after_turning(const Vec3& w, const Vec3& n0, const Vec3& spring0, in
   Triple<double> spring = triple<double>(spring0);
   for (int k = 1; k <= steps; ++k) {
     const Vec3 n = Eigen::AngleAxisd(w.norm() * k * dt, w.normalized()) * n0;
-    const auto turned = turned_spring(spring, triple<double>(n), triple<double>(w), triple<double>(w), dt);
+    const auto turned = turned_spring(spring, triple<double>(n), dt * w.dot(n));
     spring = turned.with_old_length(1.0 / turned.after);
   }
   return vec3(spring);
