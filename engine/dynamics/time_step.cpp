@@ -8,17 +8,12 @@
 
 namespace repose {
 
-namespace {
-
-/// Scale of a shape that gives it a volume; 1 where the scene has no size classes.
 double smallest_scale(const Particles& particles, const Clump& shape) {
   if (particles.size_classes.empty()) return 1.0;
   double volume = std::numeric_limits<double>::infinity();
   for (const SizeClass& size : particles.size_classes) volume = std::min(volume, size.volume_min);
   return std::cbrt(volume / shape.volume);
 }
-
-}  // namespace
 
 double rayleigh_time(double radius, const Material& material) {
   return kPi * radius * std::sqrt(material.density / material.shear_modulus) /
@@ -32,14 +27,30 @@ double smallest_sphere(const Particles& particles) {
   return radius;
 }
 
+double equivalent_sphere(const Particles& particles) {
+  double volume = std::numeric_limits<double>::infinity();
+  for (const Clump& shape : particles.shapes)
+    volume = std::min(volume, std::pow(smallest_scale(particles, shape), 3) * shape.volume);
+  return std::cbrt(3.0 * volume / (4.0 * kPi));
+}
+
+double rayleigh_time(double radius, const Scene& scene) {
+  Material scaled = scene.particles.material;
+  scaled.shear_modulus *= scene.numerics.stiffness_scale;
+  return rayleigh_time(radius, scaled);
+}
+
+double fall_speed(const SlumpTest& test) {
+  return std::sqrt(test.pour_speed * test.pour_speed + 2.0 * kGravity * test.cylinder_height);
+}
+
 double automatic_time_step(const Scene& scene) {
   const Material& material = scene.particles.material;
   const ElasticSide side{material.shear_modulus * scene.numerics.stiffness_scale, material.poisson_ratio};
   const double Y_eff =
       law_parameters(side, side, 1.0, 0.0, 0.0, 0.0, NormalDamping::with_tail, TangentialHistory::force)
           .young;
-  const double v =
-      std::sqrt(scene.test.pour_speed * scene.test.pour_speed + 2.0 * kGravity * scene.test.cylinder_height);
+  const double v = fall_speed(scene.test);
   double step = std::numeric_limits<double>::infinity();
   for (const Clump& shape : scene.particles.shapes) {
     const double s = smallest_scale(scene.particles, shape);
@@ -63,9 +74,7 @@ double automatic_time_step(const Scene& scene) {
 double time_step(const Scene& scene) {
   if (scene.numerics.time_step) return *scene.numerics.time_step;
   if (!scene.numerics.time_step_fraction) return automatic_time_step(scene);
-  Material scaled = scene.particles.material;
-  scaled.shear_modulus *= scene.numerics.stiffness_scale;
-  return *scene.numerics.time_step_fraction * rayleigh_time(smallest_sphere(scene.particles), scaled);
+  return *scene.numerics.time_step_fraction * rayleigh_time(smallest_sphere(scene.particles), scene);
 }
 
 }  // namespace repose

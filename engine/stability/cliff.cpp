@@ -1,0 +1,49 @@
+#include "engine/stability/cliff.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace repose {
+
+namespace {
+
+/// Tries a step and moves the end of the bracket that it belongs to; false: interrupted.
+bool try_step(const Experiment& experiment, double step, Cliff& cliff) {
+  const Probe probe = experiment(step);
+  cliff.interrupted = probe.failure == Failure::interrupted;
+  if (cliff.interrupted) return false;
+  cliff.probes.push_back(probe);
+  if (probe.stable()) {
+    cliff.stable = step;
+  } else {
+    cliff.unstable = step;
+    cliff.failure = probe.failure;
+  }
+  return true;
+}
+
+void walk(const Experiment& experiment, double start, Cliff& cliff) {
+  if (!try_step(experiment, start, cliff)) return;
+  const double factor = cliff.stable > 0.0 ? kWalk : 1.0 / kWalk;
+  for (int k = 1; k <= kLongestWalk && !(cliff.stable > 0.0 && cliff.unstable > 0.0); ++k)
+    if (!try_step(experiment, start * std::pow(factor, k), cliff)) return;
+}
+
+}  // namespace
+
+const Probe* Cliff::last_stable() const {
+  const auto found = std::ranges::find_if(
+      probes, [this](const Probe& probe) { return probe.stable() && probe.step == stable; });
+  return found == probes.end() ? nullptr : &*found;
+}
+
+Cliff find_cliff(const Experiment& experiment, const CliffSearch& search) {
+  Cliff cliff;
+  walk(experiment, search.start, cliff);
+  while (!cliff.interrupted && cliff.stable > 0.0 && cliff.unstable > (1.0 + search.precision) * cliff.stable)
+    try_step(experiment, std::sqrt(cliff.stable * cliff.unstable), cliff);
+  std::ranges::sort(cliff.probes, {}, &Probe::step);
+  return cliff;
+}
+
+}  // namespace repose
