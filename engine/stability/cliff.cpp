@@ -7,6 +7,21 @@ namespace repose {
 
 namespace {
 
+/// The curve on both sides of a cliff that has been found.
+void look_around(const Experiment& experiment, Cliff& cliff) {
+  const auto [lowest, highest] = std::ranges::minmax(cliff.probes, {}, &Probe::step);
+  std::vector<double> steps;
+  for (double step = lowest.step / 2.0; step > 0.2 * cliff.stable; step /= 2.0) steps.push_back(step);
+  for (const double factor : {kWalk, 2.0})
+    if (factor * cliff.unstable > highest.step) steps.push_back(factor * cliff.unstable);
+  for (const double step : steps) {
+    const Probe probe = experiment(step);
+    cliff.interrupted = probe.failure == Failure::interrupted;
+    if (cliff.interrupted) return;
+    cliff.probes.push_back(probe);
+  }
+}
+
 /// Tries a step and moves the end of the bracket that it belongs to; false: interrupted.
 bool try_step(const Experiment& experiment, double step, Cliff& cliff) {
   const Probe probe = experiment(step);
@@ -42,6 +57,7 @@ Cliff find_cliff(const Experiment& experiment, const CliffSearch& search) {
   walk(experiment, search.start, cliff);
   while (!cliff.interrupted && cliff.stable > 0.0 && cliff.unstable > (1.0 + search.precision) * cliff.stable)
     try_step(experiment, std::sqrt(cliff.stable * cliff.unstable), cliff);
+  if (!cliff.interrupted && cliff.stable > 0.0 && cliff.unstable > 0.0) look_around(experiment, cliff);
   std::ranges::sort(cliff.probes, {}, &Probe::step);
   return cliff;
 }

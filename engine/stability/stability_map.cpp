@@ -73,6 +73,7 @@ class Mapping {
         row.stiffness_scale = scene.numerics.stiffness_scale;
         row.smallest_rayleigh = rayleigh_time(smallest_sphere(scene.particles), scene);
         row.equivalent_rayleigh = rayleigh_time(equivalent_sphere(scene.particles), scene);
+        row.automatic = automatic_time_step(scene);
         rows_.push_back(row);
         stiffness_of_.push_back(k);
       }

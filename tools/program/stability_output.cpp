@@ -48,6 +48,7 @@ Json row_json(const MapRow& row) {
           {"of_rayleigh_smallest", number(step / row.smallest_rayleigh)},
           {"of_rayleigh_equivalent", number(step / row.equivalent_rayleigh)},
           {"of_sqrt_m_over_K", row.stiffness_time > 0.0 ? number(step / row.stiffness_time) : Json(nullptr)},
+          {"over_auto", number(step / row.automatic)},
           {"smallest_unstable_step_s", number(row.cliff.unstable)},
           {"fails_by", row.cliff.failure == Failure::none ? Json(nullptr) : Json(failure_of(row))},
           {"energy_error", last ? Json(last->energy_error) : Json(nullptr)},
@@ -153,7 +154,8 @@ std::string advice(const Recommendation& found) {
 std::string stability_csv(const StabilityMap& map) {
   std::string text =
       "test,integrator,rolling_model,stiffness_scale,largest_stable_step_s,of_rayleigh_smallest,"
-      "of_rayleigh_equivalent,of_sqrt_m_over_K,smallest_unstable_step_s,fails_by,energy_error,overlap_ratio,"
+      "of_rayleigh_equivalent,of_sqrt_m_over_K,over_auto,smallest_unstable_step_s,fails_by,energy_error,"
+      "overlap_ratio,"
       "reason\n";
   for (const MapRow& row : map.rows) {
     const Probe* last = row.cliff.last_stable();
@@ -161,7 +163,8 @@ std::string stability_csv(const StabilityMap& map) {
     text += fmt::format(
         "{},{},{},{},{},{},{},{},{},{}\n", key_cells(row), cell(step), cell(step / row.smallest_rayleigh),
         cell(step / row.equivalent_rayleigh), row.stiffness_time > 0.0 ? cell(step / row.stiffness_time) : "",
-        cell(row.cliff.unstable), failure_of(row), last ? fmt::format("{:.6g}", last->energy_error) : "",
+        cell(step / row.automatic), cell(row.cliff.unstable), failure_of(row),
+        last ? fmt::format("{:.6g}", last->energy_error) : "",
         last ? fmt::format("{:.6g}", last->overlap) : "", row.reason.empty() ? "" : quoted(row.reason));
   }
   return text;

@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::array kRollingColours{"#b5532a", "#e0a23c", "#2b5f8c", "#5a8f4a", "#8a5a9f", "#22303c"};
 constexpr std::array kTestColours{"#8a5a9f", "#b5532a", "#5a8f4a", "#2b5f8c"};
+constexpr std::array kTestPoints{6, 5, 8, 7};
 constexpr double kLeastError = 1e-5, kMostError = 30.0;  ///< ends of the axis of errors
 
 std::string words_of(StabilityTest test) {
@@ -100,6 +101,30 @@ struct Range {
   void take(double x) { low = std::min(low, x), high = std::max(high, x); }
 };
 
+/// One entry of a legend, drawn as a label with its point: gnuplot keeps a key within the width of a panel.
+struct Entry {
+  std::string text;
+  int point;
+  const char* colour;
+};
+
+/// Entries side by side, each as wide as its text, in the middle of the picture.
+std::string legend(const std::vector<Entry>& entries, double y) {
+  constexpr double kCharacter = 0.0085, kBetween = 0.035;
+  double width = 0.0;
+  for (const Entry& entry : entries) width += kBetween + kCharacter * static_cast<double>(entry.text.size());
+  double x = 0.5 - 0.5 * width;
+  std::string script;
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    script += fmt::format(
+        "set label {} '{}' at screen {:.3f},{:.3f} left noenhanced tc rgb '#22303c' point pt {} ps 1.1 lw 2 "
+        "lc rgb '{}' offset 1.2,0\n",
+        k + 1, gnuplot_quoted(entries[k].text), x, y, entries[k].point, entries[k].colour);
+    x += kBetween + kCharacter * static_cast<double>(entries[k].text.size());
+  }
+  return script;
+}
+
 /// One panel: the rows of an integrator.
 std::string energy_panel(const std::vector<const MapRow*>& rows, Integrator integrator, bool first,
                          const Tolerance& tolerance) {
@@ -116,33 +141,40 @@ std::string energy_panel(const std::vector<const MapRow*>& rows, Integrator inte
         ", $all{0} with lines lw 1.8 lc rgb '{1}' notitle, $failed{0} with points pt 2 ps 0.8 lw 1.8 lc rgb "
         "'{1}' notitle",
         number, colour);
-    if (first) plots += fmt::format(", NaN with lines lw 3 lc rgb '{}' title '{}'", colour, rolling_of(*row));
     ++number;
   }
-  if (first) plots += ", NaN with points pt 2 ps 0.8 lw 1.8 lc rgb '#5c6975' title 'failed'";
   return script + "plot " + plots + "\n";
 }
 
 void draw_energy(const std::filesystem::path& file, const std::vector<const MapRow*>& rows,
                  StabilityTest test, const Tolerance& tolerance) {
-  Range steps;
+  Range steps, errors;
   for (const MapRow* row : rows)
-    for (const Probe& probe : row->cliff.probes) steps.take(probe.step / row->smallest_rayleigh);
+    for (const Probe& probe : row->cliff.probes) {
+      steps.take(probe.step / row->smallest_rayleigh);
+      errors.take(shown_error(probe));
+    }
+  std::vector<Entry> entries;
+  for (const MapRow* row : rows)
+    if (row->method.integrator == rows.front()->method.integrator)
+      entries.push_back(
+          {rolling_of(*row), 5, kRollingColours[colour_of(row->method) % kRollingColours.size()]});
+  entries.push_back({"failed", 2, "#5c6975"});
   std::string script = kAxes;
   script += fmt::format(
-      "set multiplot layout 1,3 margins 0.065,0.99,0.245,0.83 spacing 0.025,0 title '{{/:Bold {}}}: energy "
+      "set multiplot layout 1,3 margins 0.075,0.985,0.235,0.83 spacing 0.025,0 title '{{/:Bold {}}}: energy "
       "error against step, × failed, dashed: the bar of {:.3g} %, grey: 30 % of {{/:Italic T}}_R' tc rgb "
       "'#22303c'\n"
       "set logscale xy\nset xrange [{:.6g}:{:.6g}]\nset yrange [{:.3g}:{:.3g}]\nset format y "
       "'10^{{%T}}'\nset xlabel 'step / {{/:Italic T}}_R of the smallest sphere' tc rgb '#22303c' offset "
-      "0,0.5\nset key at screen 0.5,0.035 center bottom horizontal maxrows 1 samplen 1.6 noenhanced tc rgb "
-      "'#22303c'\nset arrow 1 from 0.3,graph 0 to 0.3,graph 1 nohead back lw 5 lc rgb '#dfe3e7'\n",
-      title_of(test), 100.0 * tolerance.energy, 0.93 * steps.low, 1.08 * steps.high, kLeastError,
+      "0,0.5\nunset key\nset arrow 1 from 0.3,graph 0 to 0.3,graph 1 nohead back lw 5 lc rgb '#dfe3e7'\n",
+      title_of(test), 100.0 * tolerance.energy, 0.93 * steps.low, 1.08 * steps.high, 0.7 * errors.low,
       1.6 * kMostError);
+  script += legend(entries, 0.05);
   bool first = true;
   for (const auto& integrator : kNames<Integrator>) {
     script += energy_panel(rows, integrator.value, first, tolerance);
-    if (first) script += "set format y ''\nunset ylabel\n";
+    if (first) script += "set format y ''\nunset ylabel\nunset label\n";
     first = false;
   }
   draw_both(file, {1140, 400}, script + "unset multiplot\n");
@@ -152,10 +184,19 @@ void draw_energy(const std::filesystem::path& file, const std::vector<const MapR
 void draw_largest(const std::filesystem::path& file, const StabilityMap& map, const Scene& scene) {
   std::vector<Method> methods;
   for (const MapRow* row : rows_of(map, scene, StabilityTest::flat_clump)) methods.push_back(row->method);
-  std::string names, data;
-  for (std::size_t k = 0; k < methods.size(); ++k)
-    names += fmt::format("{}\"{}   {}\" {}", k == 0 ? "" : ", ", choice_name(methods[k].integrator),
-                         rolling_name(methods[k]), methods.size() - k);
+  std::string names, blanks, data, lines;
+  for (std::size_t k = 0; k < methods.size(); ++k) {
+    const std::size_t y = methods.size() - k;
+    const char* comma = k == 0 ? "" : ", ";
+    names += fmt::format("{}\"{}  {}\" {}", comma, choice_name(methods[k].integrator),
+                         rolling_name(methods[k]), y);
+    blanks += fmt::format("{}\"\" {}", comma, y);
+    if (k > 0 && methods[k].integrator != methods[k - 1].integrator)
+      lines += fmt::format(
+          "set arrow {0} from graph 0,first {1}.5 to graph 1,first {1}.5 nohead lw 1 lc rgb "
+          "'#a3adb8'\n",
+          k + 10, y);
+  }
   Range range[3];
   for (std::size_t t = 0; t < kStabilityTests.size(); ++t) {
     std::string block;
@@ -176,25 +217,25 @@ void draw_largest(const std::filesystem::path& file, const StabilityMap& map, co
                           "√(m/Σ{/:Italic K}) of the stiffest body"};
   std::string script = std::string(kAxes) + data;
   script += fmt::format(
-      "set multiplot layout 1,3 margins 0.235,0.985,0.2,0.91 spacing 0.02,0 title '{{/:Bold Largest stable "
-      "step}}, stiffness scale {:.3g}' tc rgb '#22303c'\nset logscale x\nset yrange [0.4:{}]\nset xlabel tc "
-      "rgb '#22303c' offset 0,0.4\n",
+      "set multiplot layout 1,3 margins 0.265,0.985,0.2,0.91 spacing 0.02,0 title '{{/:Bold Largest stable "
+      "step}}, stiffness scale {:.3g}; grey: 30 % of {{/:Italic T}}_R' tc rgb '#22303c'\nset logscale x\nset "
+      "yrange [0.4:{}]\nset xlabel tc "
+      "rgb '#22303c' offset 0,0.4\nunset key\n",
       scene.numerics.stiffness_scale, static_cast<double>(methods.size()) + 0.6);
+  std::vector<Entry> entries;
+  for (std::size_t t = 0; t < kStabilityTests.size(); ++t)
+    entries.push_back({words_of(kStabilityTests[t]), kTestPoints[t], kTestColours[t]});
+  script += lines + legend(entries, 0.045);
+  script += "set arrow 1 from 0.3,graph 0 to 0.3,graph 1 nohead back lw 5 lc rgb '#dfe3e7'\n";
   for (int i = 0; i < 3; ++i) {
-    if (i == 0) script += "set ytics noenhanced (" + names + ")\n";
-    if (i == 1) script += "set format y ''\n";
-    script += i == 0 ? "set arrow 1 from 0.3,graph 0 to 0.3,graph 1 nohead back lw 5 lc rgb '#dfe3e7'\n"
-                     : "unset arrow 1\n";
+    script += "set ytics noenhanced (" + (i == 0 ? names : blanks) + ")\n";
+    if (i == 1) script += "unset arrow 1\nunset label\n";
     script += fmt::format("set xrange [{:.4g}:{:.4g}]\nset xlabel 'step / {}'\n", 0.8 * range[i].low,
                           1.25 * range[i].high, labels[static_cast<std::size_t>(i)]);
-    script += i == 0 ? "set key at screen 0.6,0.02 center bottom horizontal maxrows 1 samplen 1 tc rgb "
-                       "'#22303c'\n"
-                     : "unset key\n";
     std::string plots;
     for (std::size_t t = 0; t < kStabilityTests.size(); ++t)
-      plots += fmt::format("{}$test{} using {}:4 with points pt {} ps 1.1 lw 1.6 lc rgb '{}' title '{}'",
-                           t == 0 ? "plot " : ", ", t, i + 1, std::array{6, 5, 8, 7}[t], kTestColours[t],
-                           words_of(kStabilityTests[t]));
+      plots += fmt::format("{}$test{} using {}:4 with points pt {} ps 1.1 lw 1.6 lc rgb '{}'",
+                           t == 0 ? "plot " : ", ", t, i + 1, kTestPoints[t], kTestColours[t]);
     script += plots + "\n";
   }
   draw_both(file, {1140, 470}, script + "unset multiplot\n");
