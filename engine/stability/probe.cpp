@@ -31,16 +31,23 @@ Failure judge(const Probe& probe, const Tolerance& tolerance) {
   return Failure::none;
 }
 
+namespace {
+
+double invented(const EnergyLedger& before, const EnergyLedger& now, const Watched& watched) {
+  const double all = now.imbalance() - before.imbalance();
+  if (!watched.stands_by_type_a) return all;
+  const double without = all - (now.rolling_resistance - before.rolling_resistance);
+  return std::abs(without) < std::abs(all) ? without : all;
+}
+
+}  // namespace
+
 Probe watch_steps(Simulation& simulation, const Watched& watched) {
   Probe probe;
   probe.step = simulation.dt();
   const auto steps = static_cast<long>(std::ceil(watched.duration / probe.step));
   const auto per_look = std::max(1L, static_cast<long>(watched.look_interval / probe.step));
-  const auto imbalance = [&] {
-    const EnergyLedger ledger = simulation.ledger();
-    return ledger.imbalance() - (watched.rolls ? 0.0 : ledger.rolling_resistance);
-  };
-  double before = 0.0;
+  EnergyLedger before;
   for (long done = 0; done < steps;) {
     const long next = done == 0 ? 1 : std::min(steps, done + per_look);
     for (; done < next; ++done)
@@ -50,8 +57,8 @@ Probe watch_steps(Simulation& simulation, const Watched& watched) {
         return probe;
       }
     // Contacts that stand at the beginning are found by the first step.
-    if (done == 1) before = imbalance();
-    const double error = (imbalance() - before) / watched.energy;
+    if (done == 1) before = simulation.ledger();
+    const double error = invented(before, simulation.ledger(), watched) / watched.energy;
     if (!(std::abs(error) <= std::abs(probe.energy_error))) probe.energy_error = error;
     probe.overlap = std::max(probe.overlap, simulation.survey().largest_overlap / watched.overlap);
     if (!(std::abs(probe.energy_error) <= kHopeless)) break;

@@ -46,9 +46,10 @@ struct Watched {
   double look_interval = 0.0;  ///< [s]; at least a step
   double energy = 0.0;         ///< what the imbalance is compared with [J]
   double overlap = 0.0;        ///< the sound motion's deepest overlap over the smaller radius [-]
-  /// Whether what rolling resistance took counts. Of bodies that stand it can take nothing, yet the ledger
-  /// books what contacts turn a body by in a step and type_a stops in the same step.
-  bool rolls = true;
+  /// Bodies that stand by type_a. Rolling resistance can take hardly anything of them, yet the ledger books
+  /// what contacts turn a body by in a step and type_a stops in the same step. What was invented lies between
+  /// the imbalance without it and with it; the one nearer to 0 counts.
+  bool stands_by_type_a = false;
   Tolerance tolerance;
   const std::atomic<bool>* stop = nullptr;
 };
