@@ -44,12 +44,40 @@ double fall_speed(const SlumpTest& test) {
   return std::sqrt(test.pour_speed * test.pour_speed + 2.0 * kGravity * test.cylinder_height);
 }
 
+double largest_stable_phase(Integrator integrator, double damping_ratio) {
+  const double z = damping_ratio;
+  switch (integrator) {
+    case Integrator::symplectic_euler:
+      return 2.0 * (std::sqrt(1.0 + z * z) - z);
+    case Integrator::velocity_verlet:
+      return 2.0 * (std::sqrt(1.0 + 4.0 * z * z) - 2.0 * z);
+    case Integrator::explicit_euler:
+      return std::max(kElasticEuler, z > 1.0 ? 2.0 * (z - std::sqrt(z * z - 1.0)) : 2.0 * z);
+  }
+  return 0.0;
+}
+
+namespace {
+
+/// largest_stable_phase for one contact and for many on a body, of the more damped kind of contact.
+double phase_of(const Scene& scene, const LawParameters& law) {
+  const Integrator integrator = scene.numerics.integrator;
+  const double one = 0.5 * law.normal_damping, many = std::sqrt(kAutoContacts) * one;
+  return std::min(largest_stable_phase(integrator, one), largest_stable_phase(integrator, many));
+}
+
+}  // namespace
+
 double automatic_time_step(const Scene& scene) {
   const Material& material = scene.particles.material;
   const ElasticSide side{material.shear_modulus * scene.numerics.stiffness_scale, material.poisson_ratio};
-  const double Y_eff =
-      law_parameters(side, side, 1.0, 0.0, 0.0, 0.0, NormalDamping::with_tail, TangentialHistory::force)
-          .young;
+  const auto law = [&](const ContactParameters& contact) {
+    return law_parameters(side, side, contact.restitution, 0.0, 0.0, 0.0, scene.contact.normal_damping,
+                          TangentialHistory::force);
+  };
+  const LawParameters pair_law = law(scene.contact.particle_particle);
+  const double Y_eff = pair_law.young;
+  const double phase = std::min(phase_of(scene, pair_law), phase_of(scene, law(scene.contact.particle_wall)));
   const double v = fall_speed(scene.test);
   double step = std::numeric_limits<double>::infinity();
   for (const Clump& shape : scene.particles.shapes) {
@@ -65,7 +93,7 @@ double automatic_time_step(const Scene& scene) {
       // same stiffness.
       const double arm = s * std::max(sphere.centre.norm(), sphere.radius);
       const double lambda = k * 2.0 * (1.0 / m + arm * arm / inertia);
-      step = std::min(step, 2.0 / std::sqrt(lambda));
+      step = std::min(step, phase / std::sqrt(lambda));
     }
   }
   return kAutoStepShare * step;

@@ -69,8 +69,9 @@ FlatMotion flat_motion(const Scene& scene) {
   Simulation simulation = falling(own, flat, step);
   MotionWatch watch(own);
   const auto steps = static_cast<long>(flat.duration / step);
+  constexpr long kPerLook = 4;  // some twenty looks an oscillation
   for (long k = 0; k < steps && simulation.step(); ++k)
-    if (watch.check_contacts(simulation)) break;
+    if (k % kPerLook == 0 && watch.check_contacts(simulation)) break;
   return {1.0 / std::sqrt(watch.diagnosis().stiffest), watch.diagnosis().largest_overlap_ratio};
 }
 
@@ -81,7 +82,7 @@ Experiment flat_clump_experiment(const Scene& scene, const FlatMotion& sound, co
   return [flat, brought, sound, tolerance, stop, scene = scene_of_clump(scene, flat)](double step) {
     Simulation simulation = falling(scene, flat, step);
     return watch_steps(simulation, {.duration = flat.duration,
-                                    .look_interval = step,
+                                    .look_interval = 0.2 * sound.stiffness_time,
                                     .energy = brought,
                                     .overlap = sound.deepest,
                                     .tolerance = tolerance,

@@ -18,7 +18,7 @@ namespace {
 
 /// Of the least √(m/ΣK), where the walk begins: far below every cliff of a symplectic step, and low enough
 /// for the curve of errors to show how they fall.
-constexpr double kStart = 0.125, kStartOfPair = 1.0 / 32.0, kStartOfSlump = 0.25;
+constexpr double kStart = 0.25, kStartOfPair = 1.0 / 32.0, kStartOfSlump = 0.5;
 
 /// A scene at one stiffness, its slump shortened, and the column that is poured from that.
 struct Stiffness {
