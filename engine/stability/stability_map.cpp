@@ -49,6 +49,7 @@ class Mapping {
 
   StabilityMap run() {
     all_ = static_cast<int>(rows_.size() + stiffnesses_.size());
+    if (options_.on_progress) options_.on_progress(0, all_);
     for_each(stiffnesses_.size(), [this](std::size_t k) {
       Stiffness& at = stiffnesses_[k];
       at.column = settle_column(at.small, options_.seed, options_.stop);
@@ -73,7 +74,7 @@ class Mapping {
         row.stiffness_scale = scene.numerics.stiffness_scale;
         row.smallest_rayleigh = rayleigh_time(smallest_sphere(scene.particles), scene);
         row.equivalent_rayleigh = rayleigh_time(equivalent_sphere(scene.particles), scene);
-        row.automatic = automatic_time_step(scene);
+        row.automatic = automatic_time_step(with_method(scene, method));
         rows_.push_back(row);
         stiffness_of_.push_back(k);
       }

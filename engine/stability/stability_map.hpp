@@ -43,7 +43,7 @@ struct MapRow {
   double smallest_rayleigh = 0.0;    ///< T_R of the smallest sphere [s]
   double equivalent_rayleigh = 0.0;  ///< T_R of the sphere of the smallest particle's volume [s]
   double stiffness_time = 0.0;       ///< least √(m/ΣK) of a body in this experiment [s]
-  double automatic = 0.0;            ///< what "auto" gives at this stiffness [s]
+  double automatic = 0.0;            ///< what "auto" gives with this method [s]
   std::string reason;                ///< why there is no cliff, or empty
 
   [[nodiscard]] bool measured() const { return reason.empty(); }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 
 #include "engine/dynamics/time_step.hpp"
 #include "unit/slump/tiny_scene.hpp"
@@ -24,27 +25,28 @@ bool same(const Probe& a, const Probe& b) {
          a.failure == b.failure;
 }
 
+/// The map of a tiny scene, made once.
+const StabilityMap& whole_map() {
+  static const StabilityMap map = map_stability(tiny_scene(), quick_options(1));
+  return map;
+}
+
+bool same_cliff(const MapRow& a, const MapRow& b) {
+  return a.test == b.test && a.method == b.method && a.reason == b.reason &&
+         std::ranges::equal(a.cliff.probes, b.cliff.probes, same);
+}
+
 TEST(StabilityMap, IsTheSameForAnyNumberOfThreads) {
-  const Scene scene = tiny_scene();
-  const StabilityMap one = map_stability(scene, quick_options(1)),
-                     three = map_stability(scene, quick_options(3));
-  ASSERT_EQ(one.rows.size(), 3U + 3U * 15U);
-  ASSERT_EQ(one.rows.size(), three.rows.size());
-  for (std::size_t k = 0; k < one.rows.size(); ++k) {
-    EXPECT_TRUE(std::ranges::equal(one.rows[k].cliff.probes, three.rows[k].cliff.probes, same)) << k;
-    EXPECT_EQ(one.rows[k].reason, three.rows[k].reason);
-  }
-  ASSERT_TRUE(one.recommendation && three.recommendation) << one.reason;
-  EXPECT_EQ(one.recommendation->step, three.recommendation->step);
+  const StabilityMap three = map_stability(tiny_scene(), quick_options(3));
+  ASSERT_EQ(whole_map().rows.size(), 3U + 3U * 15U);
+  EXPECT_TRUE(std::ranges::equal(whole_map().rows, three.rows, same_cliff));
+  ASSERT_TRUE(whole_map().recommendation && three.recommendation) << three.reason;
+  EXPECT_EQ(whole_map().recommendation->step, three.recommendation->step);
 }
 
 TEST(StabilityMap, RecommendsTheLeastCliffOfTheScenesOwnMethodOverTheMargin) {
   const Scene scene = tiny_scene();
-  int last = 0, all = 0;
-  MapOptions options = quick_options(0);
-  options.on_progress = [&](int done, int of) { last = done, all = of; };
-  const StabilityMap map = map_stability(scene, options);
-  EXPECT_EQ(last, all);
+  const StabilityMap& map = whole_map();
   ASSERT_TRUE(map.recommendation) << map.reason;
   double least = 1.0;
   for (const MapRow& row : map.rows) {
@@ -59,23 +61,45 @@ TEST(StabilityMap, RecommendsTheLeastCliffOfTheScenesOwnMethodOverTheMargin) {
   EXPECT_EQ(map.recommendation->own, time_step(scene));
 }
 
-TEST(StabilityMap, TheScenesOwnStiffnessIsAlwaysThere) {
-  MapOptions options = quick_options(0);
-  options.scales = {0.1};
-  const StabilityMap map = map_stability(tiny_scene(), options);
-  const double own = tiny_scene().numerics.stiffness_scale;
-  EXPECT_EQ(std::ranges::count(map.rows, own, &MapRow::stiffness_scale), 48);
-  EXPECT_EQ(std::ranges::count(map.rows, own * 0.1, &MapRow::stiffness_scale), 48);
+// What "auto" is for. An elastic pair stepped by plain Euler is not this scene's, whose e is 0.4; and type_a
+// without its limit invents energy by velocity Verlet at every step, as its jitter is led on.
+TEST(StabilityMap, TheAutomaticStepIsStableWithEveryIntegrator) {
+  for (const MapRow& row : whole_map().rows) {
+    if (row.any_rolling && row.method.integrator == Integrator::explicit_euler) continue;
+    if (row.method.rolling_torque == RollingTorque::unlimited) continue;
+    Scene scene = with_method(tiny_scene(), row.method);
+    EXPECT_GT(row.cliff.stable, automatic_time_step(scene))
+        << name_of(row.test) << " " << rolling_name(row.method) << " "
+        << static_cast<int>(row.method.integrator);
+  }
 }
 
-TEST(StabilityMap, ThatIsStoppedHoldsNothingThatIsNotDone) {
+TEST(StabilityMap, TheScenesOwnStiffnessIsAlwaysThere) {
   const std::atomic<bool> stop{true};
-  MapOptions options = quick_options(0);
+  int all = 0;
+  MapOptions options = quick_options(1);
+  options.scales = {0.1};
   options.stop = &stop;
+  options.on_progress = [&all](int, int of) { all = of; };
+  map_stability(tiny_scene(), options);
+  EXPECT_EQ(all, 2 * 48 + 2) << "48 rows and a column at either stiffness";
+}
+
+TEST(StabilityMap, ThatIsStoppedHoldsWhatIsDoneAndNothingElse) {
+  std::atomic<bool> stop{false};
+  MapOptions options = quick_options(2);
+  options.stop = &stop;
+  options.on_progress = [&stop](int done, int) {
+    if (done == 6) stop = true;
+  };
   const StabilityMap map = map_stability(tiny_scene(), options);
   EXPECT_TRUE(map.interrupted);
-  EXPECT_TRUE(map.rows.empty());
   EXPECT_FALSE(map.recommendation);
+  EXPECT_GE(map.rows.size(), 5U);
+  EXPECT_LT(map.rows.size(), 48U);
+  for (const MapRow& row : map.rows)
+    EXPECT_TRUE(std::ranges::any_of(whole_map().rows,
+                                    [&row](const MapRow& other) { return same_cliff(row, other); }));
 }
 
 }  // namespace
