@@ -37,8 +37,9 @@ inline constexpr double kElasticEuler = 0.08;
 /// of a particle on one of its own spheres: δ = (15 m* v²/(16 Y* √R*))^{2/5}, k = 2 Y* √(R* δ), with
 /// λ = k Σ (1/m + r²/I_min) over both bodies, r the arm. A contact's damping ratio is ζ = γ/2; kAutoContacts
 /// of them on one body damp √kAutoContacts times as much. The step is kAutoStepShare of largest_stable_phase
-/// over √λ, for the shape and size where it is least: what a packing is stiffer and a motion livelier by is
-/// left to the share. README.md of engine/stability has the margins that it leaves.
+/// (of plain Euler half as much, which leaves an oscillation half of its damping) over √λ, for the shape and
+/// size where it is least: what a packing is stiffer and a motion livelier by is left to the share. README.md
+/// of engine/stability has the margins that it leaves.
 double automatic_time_step(const Scene& scene);
 inline constexpr double kAutoStepShare = 0.4;
 inline constexpr double kAutoContacts = 6.0;

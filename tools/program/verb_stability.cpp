@@ -110,6 +110,7 @@ void add_stability(CLI::App& app, Action& chosen) {
   verb->add_option("--scales", options.scales,
                    "Multiples of the case's stiffness to map; 1 is always among them")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->capture_default_str();
   verb->add_option("--precision", options.precision,
                    "By which share the largest stable and the smallest unstable step may differ; smaller is "
