@@ -36,7 +36,8 @@ using Experiment = std::function<Probe(double step)>;
 
 /// What a motion may do and still counts as stable.
 struct Tolerance {
-  double energy = 0.25;   ///< imbalance of the ledger over the experiment's energy [-]
+  /// Imbalance of the ledger over the experiment's energy [-]; the default is what ends a run `unstable`.
+  double energy = MotionDiagnosis::kMostImbalance;
   double overlap = 0.25;  ///< by which overlaps may be deeper than the sound motion's [-]
 };
 
