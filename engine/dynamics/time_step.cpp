@@ -95,7 +95,10 @@ double automatic_time_step(const Scene& scene) {
       // the rotation. A single sphere is turned by the tangential force only, with the arm r and about the
       // same stiffness.
       const double arm = s * std::max(sphere.centre.norm(), sphere.radius);
-      const double lambda = k * 2.0 * (1.0 / m + arm * arm / inertia);
+      // Clumps that sink into each other touch with all the spheres of that part of their surfaces.
+      const double others = static_cast<double>(shape.spheres.size() - 1);
+      const double touching = 1.0 + others * overlap / (s * shape.equivalent_diameter());
+      const double lambda = touching * k * 2.0 * (1.0 / m + arm * arm / inertia);
       step = std::min(step, phase / std::sqrt(lambda));
     }
   }

@@ -35,11 +35,13 @@ inline constexpr double kElasticEuler = 0.08;
 ///
 /// The stiffest contact that the scene makes is the impact, at the speed of a fall from the cylinder's top,
 /// of a particle on one of its own spheres: δ = (15 m* v²/(16 Y* √R*))^{2/5}, k = 2 Y* √(R* δ), with
-/// λ = k Σ (1/m + r²/I_min) over both bodies, r the arm. A contact's damping ratio is ζ = γ/2; kAutoContacts
-/// of them on one body damp √kAutoContacts times as much. The step is kAutoStepShare of largest_stable_phase
-/// (of plain Euler half as much, which leaves an oscillation half of its damping) over √λ, for the shape and
-/// size where it is least: what a packing is stiffer and a motion livelier by is left to the share. README.md
-/// of engine/stability has the margins that it leaves.
+/// λ = n k Σ (1/m + r²/I_min) over both bodies, r the arm. Each sinks δ/2 into the other, with the share
+/// δ/(2 d) of its surface, d the diameter of the sphere of its volume: of its N spheres n = 1 +
+/// (N − 1) δ/d touch at once, of both bodies together. A contact's damping ratio is ζ = γ/2; kAutoContacts of
+/// them on one body damp √kAutoContacts times as much. The step is kAutoStepShare of largest_stable_phase (of
+/// plain Euler half as much, which leaves an oscillation half of its damping) over √λ, for the shape and size
+/// where it is least: what a packing is stiffer and a motion livelier by is left to the share. README.md of
+/// engine/stability has the margins that it leaves.
 double automatic_time_step(const Scene& scene);
 inline constexpr double kAutoStepShare = 0.4;
 inline constexpr double kAutoContacts = 6.0;

@@ -69,6 +69,22 @@ TEST(AutomaticTimeStep, FollowsTheStiffness) {
   EXPECT_NEAR(automatic_time_step(soft) / automatic_time_step(scene_with(0.3)), std::pow(100.0, 0.4), 1e-9);
 }
 
+// The same body as one sphere and as seven in one place: the softer, the deeper they sink in and the more
+// touch.
+TEST(AutomaticTimeStep, KnowsThatManySpheresOfASoftClumpTouchAtOnce) {
+  Clump seven = sphere_clump(2e-3);
+  seven.spheres.resize(7, seven.spheres.front());
+  const auto ratio = [&](double stiffness) {
+    Scene one = scene_with(0.3), many = scene_with(0.3);
+    many.particles.shapes = {seven};
+    one.numerics.stiffness_scale = many.numerics.stiffness_scale = stiffness;
+    return automatic_time_step(many) / automatic_time_step(one);
+  };
+  EXPECT_NEAR(ratio(1e4), 1.0, 0.05);
+  EXPECT_LT(ratio(1.0), ratio(1e4));
+  EXPECT_LT(ratio(1e-2), 0.8);
+}
+
 TEST(EquivalentSphere, HasTheVolumeOfTheSmallestParticle) {
   Scene scene = scene_of({sphere_clump(3e-3), sphere_clump(2e-3)}, kGlass, {0.5, 0.5, 0.1});
   EXPECT_NEAR(equivalent_sphere(scene.particles), 2e-3, 1e-15);
