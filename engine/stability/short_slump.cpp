@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kPourTime = 0.15;  ///< longest [s]
 constexpr double kLongestStage = 1.0;
-/// Another step packs another column: at sound steps the mean overlap was 0.6 to 2.2 times that of the
+/// Another step packs another column: at sound steps the mean overlap was 0.7 to 2.2 times that of the
 /// reference.
 constexpr double kPackings = 1.75;
 
