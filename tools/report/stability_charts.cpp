@@ -54,7 +54,8 @@ void draw_both(const std::filesystem::path& file, const Size& size, const std::s
 
 constexpr const char* kAxes =
     "set border 3 lw 1 lc rgb '#a3adb8'\nset tics nomirror out scale 0.5 tc rgb '#22303c'\n"
-    "set grid lt 1 lw 0.6 lc rgb '#e6e9ec'\n";
+    "set grid lt 1 lw 0.6 lc rgb '#e6e9ec'\n"
+    "set xtics (0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1, 3, 10, 30)\n";
 
 /// Rows of the case's own stiffness and one experiment.
 std::vector<const MapRow*> rows_of(const StabilityMap& map, const Scene& scene, StabilityTest test) {
