@@ -39,8 +39,10 @@ bool try_step(const Experiment& experiment, double step, Cliff& cliff) {
 
 void walk(const Experiment& experiment, double start, Cliff& cliff) {
   if (!try_step(experiment, start, cliff)) return;
-  const double factor = cliff.stable > 0.0 ? kWalk : 1.0 / kWalk;
-  for (int k = 1; k <= kLongestWalk && !(cliff.stable > 0.0 && cliff.unstable > 0.0); ++k)
+  const bool up = cliff.stable > 0.0;
+  const double factor = up ? kWalk : 1.0 / kWalk;
+  for (int k = 1;
+       k <= (up ? kLongestWalkUp : kLongestWalkDown) && !(cliff.stable > 0.0 && cliff.unstable > 0.0); ++k)
     if (!try_step(experiment, start * std::pow(factor, k), cliff)) return;
 }
 

@@ -4,6 +4,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <mutex>
 
@@ -137,8 +138,12 @@ class Mapping {
       return;
     }
     const auto [experiment, start] = experiment_of(row, at);
-    row.cliff = find_cliff(experiment, {start * row.stiffness_time, options_.precision});
-    if (!row.cliff.interrupted) explain(row);
+    if (std::isfinite(row.stiffness_time)) {
+      row.cliff = find_cliff(experiment, {start * row.stiffness_time, options_.precision});
+      if (!row.cliff.interrupted) explain(row);
+    } else {
+      row.reason = "nothing touched";
+    }
     done_[index] = row.cliff.interrupted ? 0 : 1;
   }
 
