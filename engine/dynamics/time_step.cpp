@@ -8,17 +8,12 @@
 
 namespace repose {
 
-namespace {
-
-/// Scale of a shape that gives it a volume; 1 where the scene has no size classes.
 double smallest_scale(const Particles& particles, const Clump& shape) {
   if (particles.size_classes.empty()) return 1.0;
   double volume = std::numeric_limits<double>::infinity();
   for (const SizeClass& size : particles.size_classes) volume = std::min(volume, size.volume_min);
   return std::cbrt(volume / shape.volume);
 }
-
-}  // namespace
 
 double rayleigh_time(double radius, const Material& material) {
   return kPi * radius * std::sqrt(material.density / material.shear_modulus) /
@@ -32,14 +27,61 @@ double smallest_sphere(const Particles& particles) {
   return radius;
 }
 
+double equivalent_sphere(const Particles& particles) {
+  double volume = std::numeric_limits<double>::infinity();
+  for (const Clump& shape : particles.shapes)
+    volume = std::min(volume, std::pow(smallest_scale(particles, shape), 3) * shape.volume);
+  return std::cbrt(3.0 * volume / (4.0 * kPi));
+}
+
+double rayleigh_time(double radius, const Scene& scene) {
+  Material scaled = scene.particles.material;
+  scaled.shear_modulus *= scene.numerics.stiffness_scale;
+  return rayleigh_time(radius, scaled);
+}
+
+double fall_speed(const SlumpTest& test) {
+  return std::sqrt(test.pour_speed * test.pour_speed + 2.0 * kGravity * test.cylinder_height);
+}
+
+double largest_stable_phase(Integrator integrator, double damping_ratio) {
+  const double z = damping_ratio;
+  switch (integrator) {
+    case Integrator::symplectic_euler:
+      return 2.0 * (std::sqrt(1.0 + z * z) - z);
+    case Integrator::velocity_verlet:
+      return 2.0 * (std::sqrt(1.0 + 4.0 * z * z) - 2.0 * z);
+    case Integrator::explicit_euler:
+      return std::max(kElasticEuler, z > 1.0 ? 2.0 * (z - std::sqrt(z * z - 1.0)) : 2.0 * z);
+  }
+  return 0.0;
+}
+
+namespace {
+
+/// largest_stable_phase for one contact and for many on a body, of the more damped kind of contact.
+double phase_of(const Scene& scene, const LawParameters& law) {
+  const Integrator integrator = scene.numerics.integrator;
+  const double one = 0.5 * law.normal_damping, many = std::sqrt(kAutoContacts) * one;
+  const double phase =
+      std::min(largest_stable_phase(integrator, one), largest_stable_phase(integrator, many));
+  // Plain Euler spends the damping of an oscillation: at its limit all of it, at half of that half.
+  return integrator == Integrator::explicit_euler ? 0.5 * phase : phase;
+}
+
+}  // namespace
+
 double automatic_time_step(const Scene& scene) {
   const Material& material = scene.particles.material;
   const ElasticSide side{material.shear_modulus * scene.numerics.stiffness_scale, material.poisson_ratio};
-  const double Y_eff =
-      law_parameters(side, side, 1.0, 0.0, 0.0, 0.0, NormalDamping::with_tail, TangentialHistory::force)
-          .young;
-  const double v =
-      std::sqrt(scene.test.pour_speed * scene.test.pour_speed + 2.0 * kGravity * scene.test.cylinder_height);
+  const auto law = [&](const ContactParameters& contact) {
+    return law_parameters(side, side, contact.restitution, 0.0, 0.0, 0.0, scene.contact.normal_damping,
+                          TangentialHistory::force);
+  };
+  const LawParameters pair_law = law(scene.contact.particle_particle);
+  const double Y_eff = pair_law.young;
+  const double phase = std::min(phase_of(scene, pair_law), phase_of(scene, law(scene.contact.particle_wall)));
+  const double v = fall_speed(scene.test);
   double step = std::numeric_limits<double>::infinity();
   for (const Clump& shape : scene.particles.shapes) {
     const double s = smallest_scale(scene.particles, shape);
@@ -53,8 +95,11 @@ double automatic_time_step(const Scene& scene) {
       // the rotation. A single sphere is turned by the tangential force only, with the arm r and about the
       // same stiffness.
       const double arm = s * std::max(sphere.centre.norm(), sphere.radius);
-      const double lambda = k * 2.0 * (1.0 / m + arm * arm / inertia);
-      step = std::min(step, 2.0 / std::sqrt(lambda));
+      // Clumps that sink into each other touch with all the spheres of that part of their surfaces.
+      const double others = static_cast<double>(shape.spheres.size() - 1);
+      const double touching = 1.0 + others * overlap / (s * shape.equivalent_diameter());
+      const double lambda = touching * k * 2.0 * (1.0 / m + arm * arm / inertia);
+      step = std::min(step, phase / std::sqrt(lambda));
     }
   }
   return kAutoStepShare * step;
@@ -63,9 +108,7 @@ double automatic_time_step(const Scene& scene) {
 double time_step(const Scene& scene) {
   if (scene.numerics.time_step) return *scene.numerics.time_step;
   if (!scene.numerics.time_step_fraction) return automatic_time_step(scene);
-  Material scaled = scene.particles.material;
-  scaled.shear_modulus *= scene.numerics.stiffness_scale;
-  return *scene.numerics.time_step_fraction * rayleigh_time(smallest_sphere(scene.particles), scaled);
+  return *scene.numerics.time_step_fraction * rayleigh_time(smallest_sphere(scene.particles), scene);
 }
 
 }  // namespace repose

@@ -169,9 +169,11 @@ std::optional<Verdict> MotionWatch::check_contacts(const Simulation& simulation)
   const ContactSums sums = sum_contacts(simulation);
   diagnosis_.largest_overlap_ratio = std::max(diagnosis_.largest_overlap_ratio, sums.largest_ratio);
   const double dt = simulation.dt();
-  for (std::size_t i = 0; i < sums.stiffness.size(); ++i)
+  for (std::size_t i = 0; i < sums.stiffness.size(); ++i) {
+    diagnosis_.stiffest = std::max(diagnosis_.stiffest, sums.stiffness[i]);
     diagnosis_.stability_number =
         std::max(diagnosis_.stability_number, 0.25 * dt * (dt * sums.stiffness[i] + 2.0 * sums.damping[i]));
+  }
   return judge(diagnosis_, simulation.time(), dt);
 }
 

@@ -17,6 +17,7 @@ struct MotionDiagnosis {
   /// Mean δ of the settled column's contacts over the mean diameter of the two bodies [-].
   double column_overlap_ratio = 0.0;
   double stability_number = 0.0;  ///< of the stiffest body at any look, see MotionWatch [-]
+  double stiffest = 0.0;          ///< bound of Σ K/m of the same [1/s²]
   int spilled = 0;                ///< bodies that left over the cylinder's rim
   double spilled_mass = 0.0;      ///< [kg]
 

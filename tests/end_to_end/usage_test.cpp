@@ -8,7 +8,7 @@ namespace repose::test {
 namespace {
 
 const std::vector<std::string> kVerbs = {"calibrate", "simulate", "sweep",  "status", "export",
-                                         "merge",     "fit",      "invert", "report"};
+                                         "merge",     "fit",      "invert", "report", "stability"};
 
 TEST(Usage, HelpNamesEveryVerb) {
   const Finished help = repose({"--help"});
@@ -34,7 +34,7 @@ TEST(Usage, VersionNamesTheEngine) {
 }
 
 TEST(Usage, VerbsThatDoNotWorkYetAreAbsent) {
-  for (const std::string verb : {"chart", "stability"}) {
+  for (const std::string verb : {"chart"}) {
     const Finished answer = repose({verb, "case.json", "--out", "somewhere"});
     EXPECT_EQ(answer.code, 2);
     EXPECT_NE(answer.err.find("there is no verb '" + verb + "'"), std::string::npos) << answer.err;
@@ -67,6 +67,10 @@ TEST(Usage, BadUsageEndsWithTwoAndSaysWhatIsWrong) {
       {{"calibrate", "a.json", "--out", "b"}, "--angle is required"},
       {{"calibrate", "a.json", "--angle", "30"}, "--out is required"},
       {{"report"}, "DIR is required"},
+      {{"stability"}, "CASE is required"},
+      {{"stability", "a.json"}, "--out is required"},
+      {{"stability", "a.json", "--out", "b", "--scales", "one"}, "--scales"},
+      {{"stability", "a.json", "--out", "b", "--precision", "fine"}, "--precision"},
   };
   for (const BadUsage& bad : cases) {
     const Finished answer = repose(bad.arguments);

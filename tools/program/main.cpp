@@ -56,6 +56,7 @@ int run(int argc, char** argv, bool json) {
   add_fit(app, chosen);
   add_invert(app, chosen);
   add_report(app, chosen);
+  add_stability(app, chosen);
   add_shape(app, chosen);
   add_clump(app, chosen);
   try {

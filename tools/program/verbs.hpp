@@ -14,5 +14,6 @@ void add_merge(CLI::App& app, Action& chosen);
 void add_fit(CLI::App& app, Action& chosen);
 void add_invert(CLI::App& app, Action& chosen);
 void add_report(CLI::App& app, Action& chosen);
+void add_stability(CLI::App& app, Action& chosen);
 
 }  // namespace repose::program

@@ -119,6 +119,7 @@ TEST(MotionWatch, StabilityNumberOfASphereOnTheBaseIsThatOfItsTwoSprings) {
   const double tangential = 8.0 * G_eff * a * (1.0 / m + arm * arm / (0.4 * m * r * r));
   ASSERT_GT(tangential, 2.0 * Y_eff * a / m);
   EXPECT_NEAR(watch.diagnosis().stability_number, 0.25 * dt * dt * tangential, 1e-9 * dt * dt * tangential);
+  EXPECT_NEAR(watch.diagnosis().stiffest, tangential, 1e-9 * tangential);
   EXPECT_NEAR(watch.diagnosis().largest_overlap_ratio, overlap / r, 1e-9);
 }
 
