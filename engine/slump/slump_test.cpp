@@ -38,6 +38,8 @@ const char* name_of(Outcome outcome) {
       return "unreadable";
     case Outcome::timed_out:
       return "timed_out";
+    case Outcome::too_long:
+      return "too_long";
     case Outcome::overfull:
       return "overfull";
     case Outcome::overlapping:
@@ -60,7 +62,7 @@ SlumpTestRun::SlumpTestRun(const Scene& scene, std::uint64_t seed, const RunOpti
       simulation_(scene, time_step(scene)),
       pour_(scene, seed),
       watch_(scene) {
-  steps_per_check_ = std::max(1, static_cast<int>(kCheckInterval / simulation_.dt()));
+  steps_per_check_ = std::max(1L, static_cast<long>(std::min(kCheckInterval / simulation_.dt(), kMostSteps)));
   mean_diameter_ = mean_diameter(pour_.particles(), scene.particles.material.density);
   build_walls();
 }
@@ -85,8 +87,20 @@ void SlumpTestRun::build_walls() {
 }
 
 void SlumpTestRun::run() {
-  if (!(pour_stage() && settle_stage() && open_stage() && rest_stage())) return;
+  if (!(fits_into_the_steps() && pour_stage() && settle_stage() && open_stage() && rest_stage())) return;
   if (const auto verdict = watch_.check_contacts(simulation_)) fail(*verdict);
+}
+
+/// The pour and the opening take their time whatever the bodies do; that alone may be too long.
+bool SlumpTestRun::fits_into_the_steps() {
+  const SlumpTest& test = scene_.test;
+  const double pouring = pour_.total_mass() / test.pour_rate, opening = opening_travel() / test.opening_speed;
+  const double steps = (pouring + opening) / simulation_.dt();
+  if (steps <= kMostSteps) return true;
+  return fail(Outcome::too_long,
+              fmt::format("pouring takes {:.3g} s and opening {:.3g} s, {:.3g} steps of {:.3g} s (bar: {:.0e}); "
+                          "use a larger step or softer particles, or pour and open faster",
+                          pouring, opening, steps, simulation_.dt(), kMostSteps));
 }
 
 bool SlumpTestRun::pour_stage() {
@@ -136,14 +150,17 @@ void SlumpTestRun::open_walls() {
 }
 
 /// Halves are out of the way once they have passed the base's edge (on an unbounded base four radii, where a
-/// heap of the column's height ends); a lifted cylinder once it is above every body.
-bool SlumpTestRun::walls_out_of_the_way() const {
+/// heap of the column's height ends). A lifted cylinder is once it is above every body: at the latest, its own
+/// height up.
+double SlumpTestRun::opening_travel() const {
   const SlumpTest& test = scene_.test;
-  if (test.kind == TestKind::split_cylinder) {
-    const double far =
-        std::isinf(test.base_radius) ? 4.0 * test.cylinder_radius : test.base_radius + test.cylinder_radius;
-    return simulation_.walls[kHalfPlus].x_offset > far;
-  }
+  if (test.kind == TestKind::lifted_cylinder) return test.cylinder_height;
+  return std::isinf(test.base_radius) ? 4.0 * test.cylinder_radius : test.base_radius + test.cylinder_radius;
+}
+
+bool SlumpTestRun::walls_out_of_the_way() const {
+  if (scene_.test.kind == TestKind::split_cylinder)
+    return simulation_.walls[kHalfPlus].x_offset > opening_travel();
   const Bodies& bodies = simulation_.bodies();
   for (std::size_t i = 0; i < bodies.count; ++i)
     if (bodies.z[i] + bodies.reach[i] > simulation_.walls[kCylinder].z_low) return false;
@@ -225,15 +242,21 @@ bool SlumpTestRun::fail_without_rest(double limit, const char* what, const Energ
 }
 
 bool SlumpTestRun::advance() {
-  for (int k = 0; k < steps_per_check_; ++k)
+  for (long k = 0; k < steps_per_check_; ++k) {
+    if (k % kStopSteps == 0 && options_.stop && options_.stop->load(std::memory_order_relaxed))
+      return fail(Outcome::interrupted, "interrupted");
     if (!simulation_.step())
       return fail(Outcome::diverged,
                   fmt::format("the motion diverged at {:.4g} s with a step of {:.3g} s; use a smaller one",
                               simulation_.time(), simulation_.dt()));
+  }
   if (!look()) return false;
   report();
-  if (options_.stop && options_.stop->load(std::memory_order_relaxed))
-    return fail(Outcome::interrupted, "interrupted");
+  if (static_cast<double>(simulation_.steps()) > kMostSteps)
+    return fail(Outcome::too_long,
+                fmt::format("{:.3g} steps of {:.3g} s, and not at rest after {:.4g} s; use a larger step or "
+                            "softer particles, or a shorter /numerics/stage_time_limit_s",
+                            static_cast<double>(simulation_.steps()), simulation_.dt(), simulation_.time()));
   return true;
 }
 
