@@ -87,8 +87,22 @@ void SlumpTestRun::build_walls() {
 }
 
 void SlumpTestRun::run() {
-  if (!(fits_into_the_steps() && pour_stage() && settle_stage() && open_stage() && rest_stage())) return;
+  if (!(fits_into_the_cylinder() && fits_into_the_steps() && pour_stage() && settle_stage() && open_stage() &&
+        rest_stage()))
+    return;
   if (const auto verdict = watch_.check_contacts(simulation_)) fail(*verdict);
+}
+
+bool SlumpTestRun::fits_into_the_cylinder() {
+  const SlumpTest& test = scene_.test;
+  const double room = kPi * test.cylinder_radius * test.cylinder_radius * test.cylinder_height;
+  const double share = pour_.total_mass() / scene_.particles.material.density / room;
+  if (share <= kDensest) return true;
+  return fail(
+      Outcome::overfull,
+      fmt::format("the particles' own volume is {:.0f} % of the cylinder's (no packing has more than {:.0f} "
+                  "%); pour less or use a larger cylinder",
+                  100.0 * share, 100.0 * kDensest));
 }
 
 /// The pour and the opening take their time whatever the bodies do; that alone may be too long.
@@ -97,10 +111,11 @@ bool SlumpTestRun::fits_into_the_steps() {
   const double pouring = pour_.total_mass() / test.pour_rate, opening = opening_travel() / test.opening_speed;
   const double steps = (pouring + opening) / simulation_.dt();
   if (steps <= kMostSteps) return true;
-  return fail(Outcome::too_long,
-              fmt::format("pouring takes {:.3g} s and opening {:.3g} s, {:.3g} steps of {:.3g} s (bar: {:.0e}); "
-                          "use a larger step or softer particles, or pour and open faster",
-                          pouring, opening, steps, simulation_.dt(), kMostSteps));
+  return fail(
+      Outcome::too_long,
+      fmt::format("pouring takes {:.3g} s and opening {:.3g} s, {:.3g} steps of {:.3g} s (bar: {:.0e}); "
+                  "use a larger step or softer particles, or pour and open faster",
+                  pouring, opening, steps, simulation_.dt(), kMostSteps));
 }
 
 bool SlumpTestRun::pour_stage() {
@@ -150,8 +165,8 @@ void SlumpTestRun::open_walls() {
 }
 
 /// Halves are out of the way once they have passed the base's edge (on an unbounded base four radii, where a
-/// heap of the column's height ends). A lifted cylinder is once it is above every body: at the latest, its own
-/// height up.
+/// heap of the column's height ends). A lifted cylinder is once it is above every body: at the latest, its
+/// own height up.
 double SlumpTestRun::opening_travel() const {
   const SlumpTest& test = scene_.test;
   if (test.kind == TestKind::lifted_cylinder) return test.cylinder_height;
@@ -214,18 +229,18 @@ bool SlumpTestRun::until_rest(double limit, const char* what, double& since) {
   }
 }
 
-/// Why there is no rest: energy that still falls needs time; a floor far below one diameter's fall is a
-/// jitter that no time ends; a higher one is a motion that nothing brakes.
+/// Why there is no rest: energy that still falls fast enough needs time; a floor far below one diameter's
+/// fall is a jitter that no time ends; a higher one is a motion that nothing brakes.
 bool SlumpTestRun::fail_without_rest(double limit, const char* what, const EnergyFloor& floor) {
   std::string reason = fmt::format(
       "{} has not come to rest within {:.3g} s: kinetic energy per body is {:.2g} m g d, rest is below "
       "{:.2g}; ",
       what, scene_.numerics.stage_time_limit, energy_level().ratio, limit);
-  const auto level = floor.level();
+  const auto level = floor.level(limit);
   if (!level) {
     reason += "it still falls: allow more time (/numerics/stage_time_limit_s)";
   } else if (level->ratio > kJitter) {
-    reason += "it does not fall: nothing brakes the bodies; give them restitution below 1 and friction";
+    reason += "it hardly falls: nothing brakes the bodies; give them restitution below 1 and friction";
   } else {
     const std::string text = fmt::format(
         "the bodies jitter: their energy stays at {:.2g} m g d ({:.0f} % of it rotation); {}", level->ratio,
