@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <set>
+#include <string>
+
 #include "verification/table/row.hpp"
 
 namespace repose::verification {
@@ -35,6 +39,28 @@ TEST(VerificationRow, MissesItsBarWhereTheErrorIsNoNumber) {
   row.bar = 1.0;
   row.error = std::nan("");
   EXPECT_FALSE(row.passed());
+}
+
+TEST(VerificationRow, KeepsAnErrorThatIsNoNumberAndMissesWithoutAnyPoint) {
+  Worst worst("a", "b", 0.1);
+  worst.add(1.0, 1.01);
+  worst.add(1.0, std::nan(""));
+  worst.add(1.0, 1.02);
+  EXPECT_FALSE(worst.row().passed());
+  EXPECT_FALSE(Worst("a", "b", 0.1).row().passed());
+}
+
+/// table.md is what `tools/verify --markdown` printed; a row that is new or has gone shows here.
+TEST(VerificationPage, HoldsEveryRowOfTheTable) {
+  std::ifstream file("tests/verification/table.md");
+  ASSERT_TRUE(file);
+  std::string line;
+  std::set<std::string> printed;
+  while (std::getline(file, line))
+    if (line.starts_with("| ")) printed.insert(line.substr(2, line.find(" |", 2) - 2));
+  const Rows rows = all_rows();
+  EXPECT_EQ(printed.size(), rows.size() + 1) << "the rows and the heading";
+  for (const Row& row : rows) EXPECT_TRUE(printed.contains(row.test)) << row.test;
 }
 
 TEST(VerificationRow, HoldsTheWorstPoint) {

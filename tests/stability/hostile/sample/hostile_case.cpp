@@ -21,7 +21,7 @@ constexpr double kDensity = 2500.0, kShearModulus = 1e7;
 constexpr double kDiameter = 4.0;  // of a particle [mm]
 /// CPU time that a case may take if all goes as foreseen [s], at so much a step and a step of one sphere, on
 /// a slow core.
-constexpr double kBudget = 2.0, kPerStep = 2e-6, kPerSphere = 1.2e-7;
+constexpr double kBudget = 1.0, kPerStep = 2e-6, kPerSphere = 1.2e-7;
 
 class Draw {
  public:
@@ -139,7 +139,7 @@ Json draw_test(Draw& draw, const Grains& grains, double bodies) {
 
 Json draw_case(Draw& draw, const std::string& root) {
   const Grains grains = draw_grains(draw, root);
-  const double bodies = draw.scale(350.0, 700.0, 2.0, 400.0);
+  const double bodies = draw.scale(300.0, 500.0, 2.0, 400.0);
   Json json = {{"schema", 1},
                {"particles",
                 {{"density_kg_m3", kDensity},
