@@ -237,7 +237,9 @@ bool SlumpTestRun::fail_without_rest(double limit, const char* what, const Energ
       "{:.2g}; ",
       what, scene_.numerics.stage_time_limit, energy_level().ratio, limit);
   const auto level = floor.level(limit);
-  if (!level) {
+  if (scene_.numerics.stage_time_limit < std::sqrt(2.0 * scene_.test.cylinder_height / kGravity)) {
+    reason += "a fall through the cylinder takes longer: allow more time (/numerics/stage_time_limit_s)";
+  } else if (!level) {
     reason += "it still falls: allow more time (/numerics/stage_time_limit_s)";
   } else if (level->ratio > kJitter) {
     reason += "it hardly falls: nothing brakes the bodies; give them restitution below 1 and friction";

@@ -53,7 +53,7 @@ TEST_F(Outcomes, OfEveryKindStandInTheTableInStatusAndInTheReport) {
   ASSERT_EQ(repose({"export", study_, "--csv", csv}).code, 0);
   const std::string table = text_of(csv);
   const Json status = Json::parse(repose({"status", study_, "--json"}).out);
-  ASSERT_EQ(repose({"report", study_}).code, 0);
+  EXPECT_EQ(repose({"report", study_}).code, 2) << "two points make no equation, but a page";
   const std::string page = text_of(std::filesystem::path(study_) / "report.html");
 
   std::map<std::string, int> expected;
