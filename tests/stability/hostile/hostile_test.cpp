@@ -16,7 +16,7 @@ TEST(HostileSample, EveryCaseEndsWithASoundHeapOrANamedOutcome) {
     ADD_FAILURE() << "case " << fault.index << ": " << fault.text << " (tools/hostile --show " << fault.index
                   << ")";
   EXPECT_GE(report.outcomes.size(), 3u) << "a sample of many outcomes";
-  EXPECT_GT(report.outcomes.at("completed")[0], 0) << "of sensible cases";
+  EXPECT_GT(report.outcomes.at("completed")[0], 0) << "of nearly sensible cases";
 }
 
 }  // namespace

@@ -129,7 +129,7 @@ TEST(SlumpTestRun, EndsOverfullWhereTheCylinderIsTooSmall) {
   scene.particles.total_mass = 1.0;
   TinyRun run(scene);
   EXPECT_EQ(run->outcome(), Outcome::overfull);
-  EXPECT_NE(run->reason().find("full"), std::string::npos) << run->reason();
+  EXPECT_NE(run->reason().find("larger cylinder"), std::string::npos) << run->reason();
 }
 
 TEST(SlumpTestRun, EndsTimedOutWhereNothingComesToRestInTime) {

@@ -21,7 +21,7 @@ struct HostileCase {
 /// 0.03 of its clump's size, diameters of 1 : 20, opening at 0.01 to 100 m/s. A case that would take more
 /// than about a second where all goes well is drawn again.
 /// @param root  the project's folder, for the clumps
-inline constexpr std::array<double, 4> kBoldness{0.0, 0.0625, 0.25, 1.0};
+inline constexpr std::array<double, 4> kBoldness{0.03, 0.06, 0.12, 1.0};
 HostileCase hostile_case(std::uint64_t seed, std::uint64_t index, const std::string& root);
 
 /// The same case with a quarter of the step.
