@@ -54,7 +54,7 @@ void take_result(StoredRun& run, const RunResult& result) {
   run.peak_height_mm = finite(1e3 * result.responses.peak_height);
   run.bulk_density_kg_m3 = finite(result.responses.bulk_density);
   run.rest_time_s = finite(result.responses.rest_time);
-  run.reaches_edge = result.responses.reaches_edge ? 1 : 0;
+  if (result.outcome == Outcome::completed) run.reaches_edge = result.responses.reaches_edge ? 1 : 0;
   run.energy_imbalance = finite(result.energy.relative_imbalance());
   run.column_overlap_ratio = finite(result.motion.column_overlap_ratio);
   run.stability_number = finite(result.motion.stability_number);

@@ -39,7 +39,7 @@ struct StoredRun {
   std::optional<double> peak_height_mm;
   std::optional<double> bulk_density_kg_m3;
   std::optional<double> rest_time_s;
-  std::optional<int> reaches_edge;         ///< 1 where the base's edge cuts the heap, else 0
+  std::optional<int> reaches_edge;         ///< of `completed`: 1 where the base's edge cuts the heap, else 0
   std::optional<double> energy_imbalance;  ///< of the ledger at the end (EnergyLedger)
   std::optional<double> column_overlap_ratio;
   std::optional<double> stability_number;

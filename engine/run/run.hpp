@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 #include "engine/dynamics/energy_ledger.hpp"
@@ -11,13 +12,15 @@
 
 namespace repose {
 
+/// What there is to measure of a run that came to rest; of any other all are absent (NaN, false).
 struct Responses {
-  double mass_on_base = 0.0;  ///< [kg]
-  double mass_lost = 0.0;     ///< poured and not on the base [kg]
-  double peak_height = 0.0;   ///< [m]
-  double bulk_density = 0.0;  ///< of the settled column before opening [kg/m³]
-  double rest_time = 0.0;     ///< from the opening to rest [s]
-  bool reaches_edge = false;  ///< the base's edge cuts the heap (HeapMeasurement)
+  static constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
+  double mass_on_base = kAbsent;  ///< [kg]
+  double mass_lost = kAbsent;     ///< poured and not on the base [kg]
+  double peak_height = kAbsent;   ///< [m]
+  double bulk_density = kAbsent;  ///< of the settled column before opening [kg/m³]
+  double rest_time = kAbsent;     ///< from the opening to rest [s]
+  bool reaches_edge = false;      ///< the base's edge cuts the heap (HeapMeasurement)
 };
 
 struct Cost {

@@ -77,7 +77,9 @@ void check_fit(CheckedCase& checked, const Particles& particles, const SlumpTest
                   fmt::format("must hold the largest particle, which spans {:.3g} mm", to_mm(sizes.span)));
 
   const double particle = particles.material.density * sizes.mean_volume;
-  if (particle <= 0.0 || particles.total_mass <= 0.0) return;
+  if (particles.material.density <= 0.0 || particles.total_mass <= 0.0) return;
+  if (!std::isnormal(particle))
+    return checked.fault("/particles/density_kg_m3", fmt::format("makes particles of {:.3g} kg", particle));
   const double count = particles.total_mass / particle;
   if (count < 1.0)
     checked.fault("/particles/total_mass_kg",

@@ -143,6 +143,13 @@ class ClumpReader {
     if (clump.volume > 2.0 * ball(clump.bounding_radius()) || clump.volume < 0.01 * ball(largest))
       fault("/mass", json_["mass"],
             "does not fit the size of the spheres: lengths are in m, mass is density × volume");
+    // Each moment is ∫ (distance from an axis)² dV: that of a body that lies within the sphere around it and
+    // fills some of its largest sphere.
+    const double reach = clump.bounding_radius();
+    if (clump.inertia.maxCoeff() > 2.0 * clump.volume * reach * reach ||
+        clump.inertia.minCoeff() < 0.01 * 0.4 * ball(largest) * largest * largest)
+      fault("/inertia", json_["inertia"],
+            "does not fit the size of the spheres: lengths are in m, moments are density × ∫ r² dV");
   }
 
   std::string file_;

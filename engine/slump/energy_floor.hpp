@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 
 namespace repose {
@@ -11,13 +12,13 @@ struct EnergyLevel {
   double rotation = 0.0;  ///< share of it that is rotation, 0 … 1
 };
 
-/// A stage that waits for rest, watched in quarters of its time: does the energy still fall, or has it
-/// reached a floor? Between two quarters of a heap that comes to rest the energy falls by orders of
-/// magnitude.
+/// A stage that waits for rest, watched in quarters of its time: would the energy reach its limit if the
+/// stage went on, or has it come to a floor? Between two quarters of a heap that comes to rest the energy
+/// falls by orders of magnitude; on a floor it wavers.
 class EnergyFloor {
  public:
-  static constexpr double kStillFalls =
-      0.5;  ///< of the third quarter's mean is what the last one must stay below
+  /// Further quarters, at the fall of the last one, that count as a matter of time: the stage once more.
+  static constexpr double kPatience = 4.0;
 
   /// @param share  of the stage's time, 0 … 1
   void add(double share, const EnergyLevel& level) {
@@ -27,11 +28,13 @@ class EnergyFloor {
     quarter.count += 1.0;
   }
   /// The mean of the last quarter where it is a floor.
-  [[nodiscard]] std::optional<EnergyLevel> level() const {
+  /// @param limit  of the ratio, below which there is rest
+  [[nodiscard]] std::optional<EnergyLevel> level(double limit) const {
     const Quarter &before = quarters_[2], &last = quarters_[3];
     if (before.count == 0.0 || last.count == 0.0 || last.ratio <= 0.0) return std::nullopt;
-    if (last.ratio / last.count < kStillFalls * before.ratio / before.count) return std::nullopt;
-    return EnergyLevel{last.ratio / last.count, last.rotating / last.ratio};
+    const double now = last.ratio / last.count, fall = before.ratio / before.count / now;
+    if (fall > 1.0 && std::log(now / limit) < kPatience * std::log(fall)) return std::nullopt;
+    return EnergyLevel{now, last.rotating / last.ratio};
   }
 
  private:

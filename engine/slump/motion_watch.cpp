@@ -196,7 +196,7 @@ std::optional<Verdict> judge(const MotionDiagnosis& diagnosis, double time, doub
             diagnosis.stability_number < diagnosis.coarse
                 ? ", or another integrator, and no unlimited rolling torque: contacts alone would bear it"
                 : "")};
-  if (diagnosis.column_overlap_ratio > MotionDiagnosis::kDeepest)
+  if (!(diagnosis.column_overlap_ratio <= MotionDiagnosis::kDeepest))
     return Verdict{
         Outcome::overlapping,
         fmt::format("particles of the settled column overlap by {:.2g} % of their diameter in the mean (bar: "

@@ -14,6 +14,7 @@ enum class Outcome {
   no_heap,      ///< nothing lies on the base that has a slope
   unreadable,   ///< something lies there, but its angle cannot be told
   timed_out,    ///< no rest within the time of a stage
+  too_long,     ///< more steps than a run may take
   overfull,     ///< the particles do not fit into the cylinder
   overlapping,  ///< contacts so deep that what is packed are no longer these particles
   escaped,      ///< bodies went through a wall

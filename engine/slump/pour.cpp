@@ -50,6 +50,7 @@ void Pour::advance(Simulation& simulation) {
     poured_mass_ += particles_[next_++].mass;
     last_success_ = simulation.time();
   }
+  if (poured_mass_ > due) last_success_ = simulation.time();  // none is due, so none waits
   last_call_ = simulation.time();
 }
 

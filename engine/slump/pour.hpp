@@ -36,7 +36,7 @@ class Pour {
   std::size_t next_ = 0;
   double poured_mass_ = 0.0;
   double total_mass_ = 0.0;
-  double last_success_ = 0.0;  ///< simulated [s]
+  double last_success_ = 0.0;  ///< when a particle found room or none was due, simulated [s]
   double last_call_ = 0.0;
 };
 

@@ -38,6 +38,8 @@ const char* name_of(Outcome outcome) {
       return "unreadable";
     case Outcome::timed_out:
       return "timed_out";
+    case Outcome::too_long:
+      return "too_long";
     case Outcome::overfull:
       return "overfull";
     case Outcome::overlapping:
@@ -60,7 +62,7 @@ SlumpTestRun::SlumpTestRun(const Scene& scene, std::uint64_t seed, const RunOpti
       simulation_(scene, time_step(scene)),
       pour_(scene, seed),
       watch_(scene) {
-  steps_per_check_ = std::max(1, static_cast<int>(kCheckInterval / simulation_.dt()));
+  steps_per_check_ = std::max(1L, static_cast<long>(std::min(kCheckInterval / simulation_.dt(), kMostSteps)));
   mean_diameter_ = mean_diameter(pour_.particles(), scene.particles.material.density);
   build_walls();
 }
@@ -85,8 +87,35 @@ void SlumpTestRun::build_walls() {
 }
 
 void SlumpTestRun::run() {
-  if (!(pour_stage() && settle_stage() && open_stage() && rest_stage())) return;
+  if (!(fits_into_the_cylinder() && fits_into_the_steps() && pour_stage() && settle_stage() && open_stage() &&
+        rest_stage()))
+    return;
   if (const auto verdict = watch_.check_contacts(simulation_)) fail(*verdict);
+}
+
+bool SlumpTestRun::fits_into_the_cylinder() {
+  const SlumpTest& test = scene_.test;
+  const double room = kPi * test.cylinder_radius * test.cylinder_radius * test.cylinder_height;
+  const double share = pour_.total_mass() / scene_.particles.material.density / room;
+  if (share <= kDensest) return true;
+  return fail(
+      Outcome::overfull,
+      fmt::format("the particles' own volume is {:.0f} % of the cylinder's (no packing has more than {:.0f} "
+                  "%); pour less or use a larger cylinder",
+                  100.0 * share, 100.0 * kDensest));
+}
+
+/// The pour and the opening take their time whatever the bodies do; that alone may be too long.
+bool SlumpTestRun::fits_into_the_steps() {
+  const SlumpTest& test = scene_.test;
+  const double pouring = pour_.total_mass() / test.pour_rate, opening = opening_travel() / test.opening_speed;
+  const double steps = (pouring + opening) / simulation_.dt();
+  if (steps <= kMostSteps) return true;
+  return fail(
+      Outcome::too_long,
+      fmt::format("pouring takes {:.3g} s and opening {:.3g} s, {:.3g} steps of {:.3g} s (bar: {:.0e}); "
+                  "use a larger step or softer particles, or pour and open faster",
+                  pouring, opening, steps, simulation_.dt(), kMostSteps));
 }
 
 bool SlumpTestRun::pour_stage() {
@@ -136,14 +165,17 @@ void SlumpTestRun::open_walls() {
 }
 
 /// Halves are out of the way once they have passed the base's edge (on an unbounded base four radii, where a
-/// heap of the column's height ends); a lifted cylinder once it is above every body.
-bool SlumpTestRun::walls_out_of_the_way() const {
+/// heap of the column's height ends). A lifted cylinder is once it is above every body: at the latest, its
+/// own height up.
+double SlumpTestRun::opening_travel() const {
   const SlumpTest& test = scene_.test;
-  if (test.kind == TestKind::split_cylinder) {
-    const double far =
-        std::isinf(test.base_radius) ? 4.0 * test.cylinder_radius : test.base_radius + test.cylinder_radius;
-    return simulation_.walls[kHalfPlus].x_offset > far;
-  }
+  if (test.kind == TestKind::lifted_cylinder) return test.cylinder_height;
+  return std::isinf(test.base_radius) ? 4.0 * test.cylinder_radius : test.base_radius + test.cylinder_radius;
+}
+
+bool SlumpTestRun::walls_out_of_the_way() const {
+  if (scene_.test.kind == TestKind::split_cylinder)
+    return simulation_.walls[kHalfPlus].x_offset > opening_travel();
   const Bodies& bodies = simulation_.bodies();
   for (std::size_t i = 0; i < bodies.count; ++i)
     if (bodies.z[i] + bodies.reach[i] > simulation_.walls[kCylinder].z_low) return false;
@@ -197,18 +229,20 @@ bool SlumpTestRun::until_rest(double limit, const char* what, double& since) {
   }
 }
 
-/// Why there is no rest: energy that still falls needs time; a floor far below one diameter's fall is a
-/// jitter that no time ends; a higher one is a motion that nothing brakes.
+/// Why there is no rest: energy that still falls fast enough needs time; a floor far below one diameter's
+/// fall is a jitter that no time ends; a higher one is a motion that nothing brakes.
 bool SlumpTestRun::fail_without_rest(double limit, const char* what, const EnergyFloor& floor) {
   std::string reason = fmt::format(
       "{} has not come to rest within {:.3g} s: kinetic energy per body is {:.2g} m g d, rest is below "
       "{:.2g}; ",
       what, scene_.numerics.stage_time_limit, energy_level().ratio, limit);
-  const auto level = floor.level();
-  if (!level) {
+  const auto level = floor.level(limit);
+  if (scene_.numerics.stage_time_limit < std::sqrt(2.0 * scene_.test.cylinder_height / kGravity)) {
+    reason += "a fall through the cylinder takes longer: allow more time (/numerics/stage_time_limit_s)";
+  } else if (!level) {
     reason += "it still falls: allow more time (/numerics/stage_time_limit_s)";
   } else if (level->ratio > kJitter) {
-    reason += "it does not fall: nothing brakes the bodies; give them restitution below 1 and friction";
+    reason += "it hardly falls: nothing brakes the bodies; give them restitution below 1 and friction";
   } else {
     const std::string text = fmt::format(
         "the bodies jitter: their energy stays at {:.2g} m g d ({:.0f} % of it rotation); {}", level->ratio,
@@ -225,15 +259,21 @@ bool SlumpTestRun::fail_without_rest(double limit, const char* what, const Energ
 }
 
 bool SlumpTestRun::advance() {
-  for (int k = 0; k < steps_per_check_; ++k)
+  for (long k = 0; k < steps_per_check_; ++k) {
+    if (k % kStopSteps == 0 && options_.stop && options_.stop->load(std::memory_order_relaxed))
+      return fail(Outcome::interrupted, "interrupted");
     if (!simulation_.step())
       return fail(Outcome::diverged,
                   fmt::format("the motion diverged at {:.4g} s with a step of {:.3g} s; use a smaller one",
                               simulation_.time(), simulation_.dt()));
+  }
   if (!look()) return false;
   report();
-  if (options_.stop && options_.stop->load(std::memory_order_relaxed))
-    return fail(Outcome::interrupted, "interrupted");
+  if (static_cast<double>(simulation_.steps()) > kMostSteps)
+    return fail(Outcome::too_long,
+                fmt::format("{:.3g} steps of {:.3g} s, and not at rest after {:.4g} s; use a larger step or "
+                            "softer particles, or a shorter /numerics/stage_time_limit_s",
+                            static_cast<double>(simulation_.steps()), simulation_.dt(), simulation_.time()));
   return true;
 }
 

@@ -14,7 +14,8 @@ namespace repose {
 /// The slump test as a protocol (article section 3.2): pour, settle, open, rest. The physics ends each stage:
 /// the pour when all particles are in, settle and rest when the mean kinetic energy per body has stayed below
 /// settle_energy_ratio × m g d or rest_energy_ratio × m g d for kHold, open when the walls are out of the
-/// way. A stage that does not end within numerics.stage_time_limit ends the run `timed_out`.
+/// way. A stage that does not end within numerics.stage_time_limit ends the run `timed_out`; a test of more
+/// than kMostSteps steps is `too_long`, at once where pouring and opening alone take that many.
 ///
 /// MotionWatch looks on and ends a run whose motion is unsound. A body that leaves over the cylinder's rim is
 /// taken away and counted: no wall holds it there.
@@ -45,17 +46,24 @@ class SlumpTestRun {
   static constexpr double kHold = 0.02;            ///< simulated time that rest must last [s]
   static constexpr double kCheckInterval = 5e-4;   ///< between looks at energies, strays and the inlet [s]
   static constexpr long kContactCheckSteps = 200;  ///< between looks at all contacts
+  /// A day and more for a thousand bodies: beyond is a slip of units.
+  static constexpr double kMostSteps = 1e9;
+  static constexpr double kDensest = 0.9;          ///< solid fraction; spheres of 1 : 20 pack to 0.85
+  static constexpr long kStopSteps = 256;          ///< between looks at RunOptions::stop
   static constexpr double kReportInterval = 0.01;  ///< between progress reports [s]
   static constexpr double kLongestWait = 0.25;     ///< for room at the inlet, then the cylinder is full [s]
 
   enum class Stage { pour, settle, open, rest };
 
   void build_walls();
+  bool fits_into_the_cylinder();
+  bool fits_into_the_steps();
   bool pour_stage();
   bool settle_stage();
   bool open_stage();
   bool rest_stage();
   void open_walls();
+  [[nodiscard]] double opening_travel() const;  ///< of the walls until they are out of the way [m]
   [[nodiscard]] bool walls_out_of_the_way() const;
 
   /// Steps to the next look; false: the run is over (diverged or stopped).
@@ -77,7 +85,7 @@ class SlumpTestRun {
   Pour pour_;
   MotionWatch watch_;
   Stage stage_ = Stage::pour;
-  int steps_per_check_ = 1;
+  long steps_per_check_ = 1;
   double mean_diameter_ = 0.0;
   long next_contact_check_ = 0;
   double next_report_ = 0.0;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 #include "engine/base/vec3.hpp"
 
@@ -60,7 +61,7 @@ Json to_json(const RunResult& result, const std::string& title) {
   json["angle_standard_error_deg"] = completed ? Json(degrees(heap.standard_error)) : Json();
   json["responses"] = {{"mass_on_base_kg", result.responses.mass_on_base},
                        {"mass_lost_kg", result.responses.mass_lost},
-                       {"reaches_edge", result.responses.reaches_edge},
+                       {"reaches_edge", completed ? Json(result.responses.reaches_edge) : Json()},
                        {"peak_height_mm", result.responses.peak_height * 1e3},
                        {"bulk_density_kg_m3", result.responses.bulk_density},
                        {"rest_time_s", result.responses.rest_time}};
@@ -86,11 +87,15 @@ std::string in_words(const RunResult& result) {
     text += fmt::format("{}: {}\n", name_of(result.outcome), result.reason);
   for (const Warning& warning : result.warnings)
     text += fmt::format("warning {}: {}\n", warning.name, warning.text);
-  text += fmt::format(
-      "on the base {:.4g} kg, {:.1f} mm high, {}; column {:.0f} kg/m³; at rest {:.2f} s after the opening\n",
-      result.responses.mass_on_base, result.responses.peak_height * 1e3,
-      result.responses.reaches_edge ? "out to its edge" : "short of its edge", result.responses.bulk_density,
-      result.responses.rest_time);
+  const Responses& responses = result.responses;
+  if (std::isfinite(responses.mass_on_base))
+    text += fmt::format(
+        "on the base {:.4g} kg, {:.1f} mm high{}; column {:.0f} kg/m³; at rest {:.2f} s after the opening\n",
+        responses.mass_on_base, responses.peak_height * 1e3,
+        result.outcome != Outcome::completed ? ""
+        : responses.reaches_edge             ? ", out to its edge"
+                                             : ", short of its edge",
+        responses.bulk_density, responses.rest_time);
   text += fmt::format("{} bodies of {} spheres; {} steps of {:.3g} µs in {:.1f} CPU seconds; seed {}\n",
                       result.bodies, result.spheres, result.cost.steps, result.cost.time_step * 1e6,
                       result.cost.cpu, result.seed);

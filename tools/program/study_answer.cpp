@@ -54,6 +54,25 @@ std::vector<report::Fact> cost_of(const std::vector<sweep::StoredRun>& runs) {
           {"CPU time a run", fmt::format("{:.3g} s", count > 0 ? cpu / count : 0.0)}};
 }
 
+/// How many heaps reach the base's edge. Where some do and some do not, the angles are of two kinds: of a
+/// heap that sheds what comes down, and of a cone whose foot lies on the base.
+std::string edge_in_words(const std::vector<sweep::StoredRun>& runs) {
+  int heaps = 0, cut = 0;
+  for (const sweep::StoredRun& run : runs) {
+    if (!run.point || run.superseded || !run.reaches_edge) continue;
+    ++heaps;
+    cut += *run.reaches_edge;
+  }
+  if (heaps == 0) return {};
+  if (cut == heaps) return "Every heap reaches the base's edge: what comes down leaves it.";
+  if (cut == 0) return "No heap reaches the base's edge: all are free cones.";
+  return fmt::format(
+      "{} of {} heaps reach the base's edge, the others are free cones: their angles are of two kinds. Take "
+      "a narrower "
+      "base or more mass, so that all reach it, or a wider one, so that none does.",
+      cut, heaps);
+}
+
 report::ReportData report_of(const sweep::Study& study, const StudyAnswer& answer) {
   report::ReportData data;
   const Scene scene = read_scene(study.document);
@@ -68,6 +87,7 @@ report::ReportData report_of(const sweep::Study& study, const StudyAnswer& answe
     if (!run.superseded) data.runs.push_back({observation_of(run), run.outcome, run.cpu_s, run.warnings});
   for (const auto& [name, count] : answer.warnings)
     data.warnings.push_back({name, count.runs, count.example});
+  data.edge = edge_in_words(runs);
   data.inputs = facts_of(scene);
   data.cost = cost_of(runs);
   data.made_by = fmt::format("repose {} (engine {}), {:%Y-%m-%d}", REPOSE_VERSION, engine_version(),

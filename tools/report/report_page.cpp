@@ -240,10 +240,12 @@ std::string runs_section(const ReportData& data) {
       "<th>outcome</th><th class=\"number\">angle [°]</th><th class=\"number\">equation [°]</th>"
       "<th class=\"number\">error [°]</th><th class=\"number\">CPU [s]</th></tr>\n" +
       rows + "</table></div>";
-  return "<h2>Runs</h2>\n" + card(data.runs.size() <= kOpenRows
-                                      ? table
-                                      : fmt::format("<details><summary>all {} runs</summary>{}</details>",
-                                                    data.runs.size(), table));
+  const std::string edge = data.edge.empty() ? "" : "<p>" + typeset(data.edge) + "</p>";
+  return "<h2>Runs</h2>\n" +
+         card(edge + (data.runs.size() <= kOpenRows
+                          ? table
+                          : fmt::format("<details><summary>all {} runs</summary>{}</details>",
+                                        data.runs.size(), table)));
 }
 
 std::string facts_section(const ReportData& data) {

@@ -56,6 +56,7 @@ struct ReportData {
   std::string
       inversion_reason;  ///< why there is no inversion (an angle out of reach); empty if none was asked
   std::vector<RunRow> runs;
+  std::string edge;  ///< how many heaps the base's edge cuts; may be empty
   std::vector<WarningRow> warnings;
   std::vector<Picture> heaps;
   std::vector<FactGroup> inputs;  ///< of the scene

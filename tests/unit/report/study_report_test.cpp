@@ -96,6 +96,13 @@ TEST(StudyReport, NamesTheWarningsOfRunsAndHowManyCarryThem) {
   EXPECT_EQ(count_of(page, "<td>coarse_step</td><td class=\"number\">7</td><td>a step of 2 &lt; 3</td>"), 1);
 }
 
+TEST(StudyReport, SaysWhatTheEdgeOfTheBaseDoesToTheHeaps) {
+  const TemporaryFolder folder;
+  ReportData data = full_report();
+  data.edge = "3 of 36 heaps reach the base's edge";
+  EXPECT_EQ(count_of(written(data, folder), "<p>" + typeset(data.edge) + "</p>"), 1);
+}
+
 TEST(StudyReport, FoldsALongTableOfRuns) {
   const TemporaryFolder folder;
   EXPECT_EQ(count_of(written(report_of(table({0.3}, {0.05, 0.1, 0.2})), folder), "<details>"), 0);

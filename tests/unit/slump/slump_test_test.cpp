@@ -129,7 +129,7 @@ TEST(SlumpTestRun, EndsOverfullWhereTheCylinderIsTooSmall) {
   scene.particles.total_mass = 1.0;
   TinyRun run(scene);
   EXPECT_EQ(run->outcome(), Outcome::overfull);
-  EXPECT_NE(run->reason().find("full"), std::string::npos) << run->reason();
+  EXPECT_NE(run->reason().find("larger cylinder"), std::string::npos) << run->reason();
 }
 
 TEST(SlumpTestRun, EndsTimedOutWhereNothingComesToRestInTime) {
@@ -186,6 +186,47 @@ TEST(SlumpTestRun, ShowsFramesAndProgressInOrder) {
   for (std::size_t k = 1; k < frames.size(); ++k) EXPECT_NEAR(frames[k] - frames[k - 1], 0.05, 2e-3);
   EXPECT_TRUE(std::is_sorted(steps.begin(), steps.end()));
   EXPECT_EQ(share, 1.0);
+}
+
+/// Three spheres, half a second apart: each finds room at once, and none waits meanwhile.
+TEST(SlumpTestRun, APourSlowerThanOneParticleAQuarterSecondIsNotAFullCylinder) {
+  Scene scene = tiny_scene();
+  const double particle = 2500.0 * scene.particles.shapes[0].volume;
+  scene.particles.total_mass = 3.0 * particle;
+  scene.test.pour_rate = 2.0 * particle;
+  TinyRun run(scene);
+  EXPECT_NE(run->outcome(), Outcome::overfull) << run->reason();
+  EXPECT_EQ(run->simulation().bodies().count, 3U);
+}
+
+TEST(SlumpTestRun, ATestOfMoreStepsThanARunMayTakeSaysSoAtOnce) {
+  const auto outcome_of = [](auto change) {
+    Scene scene = tiny_scene();
+    change(scene);
+    TinyRun run(scene);
+    EXPECT_EQ(run->outcome(), Outcome::too_long) << run->reason();
+    EXPECT_NE(run->reason().find("larger step"), std::string::npos) << run->reason();
+    EXPECT_EQ(run->simulation().steps(), 0);
+  };
+  outcome_of([](Scene& scene) { scene.numerics.time_step_fraction = 1e-9; });
+  outcome_of([](Scene& scene) { scene.numerics.time_step_fraction = 1e-320; });
+  outcome_of([](Scene& scene) { scene.test.pour_rate = 1e-9; });
+  outcome_of([](Scene& scene) { scene.test.opening_speed = 1e-9; });
+  outcome_of([](Scene& scene) {
+    scene.test.kind = TestKind::lifted_cylinder;
+    scene.test.opening_speed = 1e-9;
+  });
+}
+
+TEST(SlumpTestRun, IsInterruptedSoonHoweverSmallItsStep) {
+  Scene scene = tiny_scene();
+  scene.numerics.time_step_fraction = 1e-4;
+  const std::atomic<bool> stop = true;
+  RunOptions options;
+  options.stop = &stop;
+  TinyRun run(scene, 1, options);
+  EXPECT_EQ(run->outcome(), Outcome::interrupted);
+  EXPECT_EQ(run->simulation().steps(), 0);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -28,11 +29,16 @@ class Worst {
   /// A point with the error |result − theory| / scale.
   void add(double theory, double result, double scale) {
     const double error = std::abs(result - theory) / std::abs(scale);
-    if (points_++ > 0 && error <= row_.error) return;
+    if (points_++ > 0 && (std::isnan(row_.error) || error <= row_.error)) return;
     row_.theory = theory, row_.result = result, row_.error = error;
   }
   void add(double theory, double result) { add(theory, result, theory); }
-  [[nodiscard]] Row row() const { return row_; }
+  /// A NaN error where there was no point at all.
+  [[nodiscard]] Row row() const {
+    Row row = row_;
+    if (points_ == 0) row.error = std::numeric_limits<double>::quiet_NaN();
+    return row;
+  }
 
  private:
   Row row_;
