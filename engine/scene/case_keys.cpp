@@ -123,6 +123,7 @@ std::vector<CaseKey> make_keys() {
       number("/measure/window/*", kFraction),
 
       {.pattern = "/sweep", .kind = KeyKind::anything},
+      {.pattern = "/chart", .kind = KeyKind::anything},
   };
 }
 

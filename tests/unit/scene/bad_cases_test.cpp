@@ -27,7 +27,7 @@ const BadCase kBadCases[] = {
      R"({"gravity": 9.81})",
      {"case.json: /gravity = 9.81: is not known; a case takes $schema, schema, title, base, particles, "
       "walls, "
-      "contact, test, numerics, measure, sweep"}},
+      "contact, test, numerics, measure, sweep, chart"}},
     {"SectionMisspelt",
      R"({"numeric": {"time_step_fraction": 0.2}})",
      {"case.json: /numeric = {\"time_step_fraction\":0.2}: is not known; did you mean \"numerics\"?"}},
