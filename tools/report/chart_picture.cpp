@@ -17,8 +17,10 @@ namespace {
 // The picture in pixels; the plot's frame inside it, so that labels can be placed free of each other.
 constexpr double kWidth = 1180.0, kHeight = 760.0;
 constexpr double kLeft = 80.0, kRight = 1150.0, kTop = 110.0, kBottom = 690.0;
-constexpr double kLetter = 6.7, kLine = 16.0;  ///< of a label
+constexpr double kColumn = 220.0;              ///< beside the plot, where some rung did not complete
+constexpr double kLetter = 7.0, kLine = 16.0;  ///< of a label
 
+constexpr const char* kCliff = "#b3261e";
 constexpr std::array kColours = {"#2b5f8c", "#b5532a", "#4d8b57", "#7a5195", "#c28e0e", "#1f8a8a",
                                  "#a63d66", "#6b6f2a", "#5a6b7a", "#8c5a3c", "#3f51b5", "#00695c"};
 
@@ -60,6 +62,7 @@ class ChartPlot {
       high = std::max(high, rung.cpu);
       worst = std::max(worst, rung.angle.error.value + rung.angle.error.standard_error);
     }
+    right_ = has_failures() ? kRight - kColumn : kRight;
     x_low_ = low / 1.35;
     x_high_ = high * 1.35;
     y_high_ = 1.12 * worst;
@@ -79,6 +82,7 @@ class ChartPlot {
     add_families();
     add_front();
     add_points();
+    add_cliffs();
     add_names();
     add_failures();
     return before_ + fmt::format("plot {}\n", fmt::join(plots_, ", \\\n     "));
@@ -86,7 +90,7 @@ class ChartPlot {
 
  private:
   [[nodiscard]] double x_of(double cpu) const {
-    return kLeft + (kRight - kLeft) * std::log(cpu / x_low_) / std::log(x_high_ / x_low_);
+    return kLeft + (right_ - kLeft) * std::log(cpu / x_low_) / std::log(x_high_ / x_low_);
   }
   [[nodiscard]] double y_of(double error) const {
     return kBottom - (kBottom - kTop) * std::sqrt(std::clamp(error / y_high_, 0.0, 1.0));
@@ -96,7 +100,7 @@ class ChartPlot {
     before_ += fmt::format(
         "set encoding utf8\nset lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\n"
         "set tmargin at screen {:.6f}\nset bmargin at screen {:.6f}\n",
-        kLeft / kWidth, kRight / kWidth, 1.0 - kTop / kHeight, 1.0 - kBottom / kHeight);
+        kLeft / kWidth, right_ / kWidth, 1.0 - kTop / kHeight, 1.0 - kBottom / kHeight);
     before_ +=
         "set border 3 lw 1 lc rgb '#a3adb8'\nset tics nomirror out scale 0.5 tc rgb '#22303c'\n"
         "set grid lt 1 lw 0.6 lc rgb '#e6e9ec'\nunset key\nset logscale x\n"
@@ -141,7 +145,7 @@ class ChartPlot {
         "set label 'scatter of one run: {:.2g}°' at {:.9g},{:.9g} right offset -0.8,-0.7 font ',11' tc rgb "
         "'#8a7d62'\n",
         x_low_, x_high_, chart_.scatter, chart_.scatter, x_high_, chart_.scatter);
-    taken_.push_back({kRight - 180.0, y_of(chart_.scatter), 180.0, 1.2 * kLine});
+    taken_.push_back({right_ - 180.0, y_of(chart_.scatter), 180.0, 1.2 * kLine});
   }
 
   /// From the reference to the cheapest, what sets the same thing.
@@ -167,6 +171,12 @@ class ChartPlot {
       if (rung.on_front) front.push_back(&rung);
     std::ranges::sort(front, [](const auto* a, const auto* b) { return a->cpu < b->cpu; });
     before_ += "$front << EOD\n";
+    double x = x_of(chart_.reference_cpu), y = kBottom;
+    for (auto rung = front.rbegin(); rung != front.rend(); ++rung) {
+      const double next_x = x_of((*rung)->cpu), next_y = y_of((*rung)->angle.error.value);
+      take_line(x, y, next_x, next_y);
+      x = next_x, y = next_y;
+    }
     for (const chart::Comparison* rung : front)
       before_ += fmt::format("{:.9g} {:.9g}\n", rung->cpu, rung->angle.error.value);
     before_ += fmt::format("{:.9g} 0\nEOD\n", chart_.reference_cpu);
@@ -187,7 +197,12 @@ class ChartPlot {
                                    spots_[k].rung->on_front ? 1.15 : 0.85, spots_[k].colour));
     }
     plots_.push_back("$reference with points pt 13 ps 2 lc rgb '#22303c'");
-    for (const Spot& spot : spots_) taken_.push_back({spot.x - 5.0, spot.y - 5.0, 10.0, 10.0});
+    for (const Spot& spot : spots_) {
+      const chart::Estimate& error = spot.rung->angle.error;
+      taken_.push_back({spot.x - 5.0, spot.y - 5.0, 10.0, 10.0});
+      take_line(spot.x, y_of(error.value - error.standard_error), spot.x,
+                y_of(error.value + error.standard_error));
+    }
     taken_.push_back({x_of(chart_.reference_cpu) - 8.0, kBottom - 8.0, 16.0, 16.0});
   }
 
@@ -204,7 +219,7 @@ class ChartPlot {
   void add_name(const std::string& name, const std::string& colour, bool bold, double x, double y,
                 double speed_up) {
     const std::string text = speed_up == 1.0 ? name : fmt::format("{}  {:.2g}×", name, speed_up);
-    const double width = kLetter * static_cast<double>(letters_of(text)) * (bold ? 1.06 : 1.0);
+    const double width = kLetter * static_cast<double>(letters_of(text)) * (bold ? 1.13 : 1.0);
     Box best;
     double least = 1e300;
     for (const double distance : {0.0, 14.0, 28.0, 44.0}) {
@@ -220,7 +235,7 @@ class ChartPlot {
         const Box box{x + dx, y + dy + away, width, kLine};
         double hidden = 0.02 * distance;
         for (const Box& other : taken_) hidden += box.overlap(other);
-        if (box.x < kLeft || box.x + width > kRight + 20.0 || box.y < kTop || box.y + kLine > kBottom + 2.0)
+        if (box.x < kLeft || box.x + width > right_ + 20.0 || box.y < kTop || box.y + kLine > kBottom + 2.0)
           hidden += 1e4;
         if (hidden < least) least = hidden, best = box;
       }
@@ -237,22 +252,64 @@ class ChartPlot {
         std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
   }
 
+  /// In a column beside the plot.
   void add_failures() {
-    std::string text;
+    if (!has_failures()) return;
     int line = 0;
+    const auto write = [&](const std::string& text, const char* font, const char* colour) {
+      before_ += fmt::format("set label '{}' at screen {:.5f},{:.5f} left font '{}' tc rgb '{}' noenhanced\n",
+                             gnuplot_quoted(text), (right_ + 26.0) / kWidth,
+                             1.0 - (kTop + 8.0 + 1.15 * kLine * line++) / kHeight, font, colour);
+    };
+    write("Not completed", "Helvetica-Bold,12", kCliff);
     for (const chart::Comparison& rung : chart_.rungs) {
       if (rung.completed) continue;
       std::string outcomes;
       for (const auto& [outcome, runs] : rung.outcomes)
         if (outcome != "completed")
           outcomes += fmt::format("{}{} {}", outcomes.empty() ? "" : ", ", runs, outcome);
-      before_ += fmt::format(
-          "set label '✕ {}: {}' at screen {:.4f},{:.4f} right font ',11' tc rgb '#b3261e' noenhanced front\n",
-          gnuplot_quoted(rung.name), gnuplot_quoted(outcomes), kRight / kWidth, 0.965 - 0.022 * line++);
+      write("✕ " + rung.name, "Helvetica,11", kCliff);
+      write("    " + outcomes, "Helvetica,10", "#5c6975");
+    }
+    write("○ a cliff: the next rung", "Helvetica,11", kCliff);
+    write("    of its kind fails", "Helvetica,11", kCliff);
+  }
+
+  [[nodiscard]] bool has_failures() const {
+    return std::ranges::any_of(chart_.rungs, [](const auto& rung) { return !rung.completed; });
+  }
+
+  /// The cheapest rung that completed of every kind of which another did not.
+  void add_cliffs() {
+    before_ += "$cliffs << EOD\n";
+    std::map<std::string, const chart::Comparison*> last;
+    for (const Spot& spot : spots_) {
+      const chart::Comparison*& cheapest = last[spot.family];
+      if (cheapest == nullptr || spot.rung->cpu < cheapest->cpu) cheapest = spot.rung;
+    }
+    bool any = false;
+    for (std::size_t k = 0; k < chart_.rungs.size(); ++k) {
+      const auto found = last.find(family_of(chart_.variants[k]));
+      if (chart_.rungs[k].completed || found == last.end()) continue;
+      before_ += fmt::format("{:.9g} {:.9g}\n", found->second->cpu, found->second->angle.error.value);
+      any = true;
+    }
+    before_ += "EOD\n";
+    if (any) plots_.push_back(fmt::format("$cliffs with points pt 6 ps 2 lw 1.6 lc rgb '{}'", kCliff));
+  }
+
+  /// The way between two places hides no name.
+  void take_line(double x1, double y1, double x2, double y2) {
+    const double length = std::hypot(x2 - x1, y2 - y1);
+    const int parts = 1 + static_cast<int>(length / 8.0);
+    for (int k = 0; k <= parts; ++k) {
+      const double share = static_cast<double>(k) / parts;
+      taken_.push_back({x1 + share * (x2 - x1) - 2.0, y1 + share * (y2 - y1) - 2.0, 4.0, 4.0});
     }
   }
 
   const chart::Chart& chart_;
+  double right_ = kRight;  ///< of the plot
   double x_low_ = 0.0, x_high_ = 0.0, y_high_ = 0.0;
   std::vector<Spot> spots_;
   std::vector<Box> taken_;
