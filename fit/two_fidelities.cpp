@@ -73,14 +73,18 @@ class Problem {
   int reference_points_ = 0;   ///< distinct
 };
 
-double corrected_akaike(const PowerSolution& solution, const PowerProblem& problem) {
+/// AICc with the correction's own rows and parameters in its penalty.
+/// @param terms  exponents that are corrected
+double criterion_of(const PowerSolution& solution, const PowerProblem& problem, double reference_rows,
+                    std::size_t terms) {
   const auto n = static_cast<double>(problem.response.size());
-  const double parameters = static_cast<double>(solution.theta.size()) + 1.0;  // the variance is one more
+  const double parameters = static_cast<double>(terms) + 2.0;  // with ln C' and the variance
   const double least = n * std::pow(kExactData * problem.response.mean(), 2);
-  const double sum = std::max(solution.residual.squaredNorm(), least);
-  const double spare = n - parameters - 1.0;
+  const double fit = n * std::log(std::max(solution.residual.squaredNorm(), least) / n);
+  const double spare = reference_rows - parameters - 1.0;
+  if (terms == 0 && !(spare > 0.0)) return fit;  // the one that is always there
   if (!(spare > 0.0)) return std::numeric_limits<double>::infinity();
-  return n * std::log(sum / n) + 2.0 * parameters + 2.0 * parameters * (parameters + 1.0) / spare;
+  return fit + 2.0 * parameters + 2.0 * parameters * (parameters + 1.0) / spare;
 }
 
 struct Chosen {
@@ -99,7 +103,7 @@ Chosen best_of_all_subsets(const Problem& problem) {
     if (!problem.determines(terms)) continue;
     PowerProblem rows = problem.with(terms);
     PowerSolution solution = solve_least_squares(rows, log_linear_start(rows));
-    const double criterion = corrected_akaike(solution, rows);
+    const double criterion = criterion_of(solution, rows, problem.reference().sum(), terms.size());
     if (best && !(criterion < least)) continue;
     least = criterion;
     best = Chosen{std::move(terms), std::move(rows), std::move(solution)};

@@ -31,8 +31,9 @@ struct TwoFidelityFit {
 /// and of the correction are both in it.
 ///
 /// Of the corrections p' those are taken that AICc (Hurvich & Tsai 1989) finds worth their price, over all
-/// subsets that the reference's points can tell apart with at least one to spare; ln C' is always there. So
-/// few points give a factor, more give exponents.
+/// subsets that the reference's points can tell apart with at least one to spare; ln C' is always there. Its
+/// penalty counts the rows and parameters of the correction alone, however many cheap rows there are: few rows
+/// give a factor, more give exponents.
 ///
 /// Throws Unusable: no row of the reference; a factor that changes only between the two tests.
 TwoFidelityFit solve_two_fidelities(const Selection& selection);
