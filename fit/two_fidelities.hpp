@@ -32,8 +32,8 @@ struct TwoFidelityFit {
 ///
 /// Of the corrections p' those are taken that AICc (Hurvich & Tsai 1989) finds worth their price, over all
 /// subsets that the reference's points can tell apart with at least one to spare; ln C' is always there. Its
-/// penalty counts the rows and parameters of the correction alone, however many cheap rows there are: few rows
-/// give a factor, more give exponents.
+/// penalty counts the rows and parameters of the correction alone, however many cheap rows there are: few
+/// rows give a factor, more give exponents.
 ///
 /// Throws Unusable: no row of the reference; a factor that changes only between the two tests.
 TwoFidelityFit solve_two_fidelities(const Selection& selection);
