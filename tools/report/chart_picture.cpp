@@ -18,7 +18,7 @@ namespace {
 constexpr double kWidth = 1180.0, kHeight = 760.0;
 constexpr double kLeft = 80.0, kRight = 1150.0, kTop = 110.0, kBottom = 690.0;
 constexpr double kColumn = 220.0;              ///< beside the plot, where some rung did not complete
-constexpr double kLetter = 7.0, kLine = 16.0;  ///< of a label
+constexpr double kLetter = 7.4, kLine = 16.0;  ///< of a label
 
 constexpr const char* kCliff = "#b3261e";
 constexpr std::array kColours = {"#2b5f8c", "#b5532a", "#4d8b57", "#7a5195", "#c28e0e", "#1f8a8a",
