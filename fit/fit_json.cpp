@@ -42,6 +42,18 @@ Eigen::Matrix4d scaled(const Eigen::Matrix4d& covariance, double factor) {
   return result;
 }
 
+json correction(const Correction& c) {
+  json object = {{"cheap_rows", c.cheap_rows}, {"reference_rows", c.reference_rows}};
+  const std::array<const Estimate*, 4> parameters = {&c.C, &c.a, &c.b, &c.c};
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    object[kNames[i]] = parameters[i]->value;
+    object["standard_error"][kNames[i]] =
+        parameters[i]->identified ? number(parameters[i]->standard_error) : json();
+    object["identified"][kNames[i]] = parameters[i]->identified;
+  }
+  return object;
+}
+
 json factors(const Factors& f) { return {{"e_pp", f.e}, {"mu_s", f.mu_s}, {"mu_r", f.mu_r}}; }
 
 }  // namespace
@@ -75,6 +87,7 @@ json to_json(const PowerLaw& law) {
     object["excluded"].back()["reason"] = row.reason;
   }
   object["remarks"] = law.remarks;
+  if (law.correction) object["correction"] = correction(*law.correction);
   object["domain"] = {{"e_pp", range(law.domain.e)},
                       {"mu_s", range(law.domain.mu_s)},
                       {"mu_r", range(law.domain.mu_r)},

@@ -8,6 +8,7 @@
 #include "fit/selection.hpp"
 #include "fit/solver.hpp"
 #include "fit/student_t.hpp"
+#include "fit/two_fidelities.hpp"
 #include "fit/uncertainty.hpp"
 
 namespace repose::fit {
@@ -66,12 +67,13 @@ void place_parameters(PowerLaw& law, const Selection& selection, const Eigen::Ve
   }
 }
 
-void place_errors(PowerLaw& law, const Selection& selection, const PowerSolution& solution,
-                  const Eigen::VectorXd& observed) {
+void place_errors(PowerLaw& law, const std::vector<Observation>& rows, const Eigen::VectorXd& residual) {
   Eigen::Index worst = 0;
-  law.worst_error = solution.residual.cwiseAbs().maxCoeff(&worst);
-  law.worst_point = selection.used[static_cast<std::size_t>(worst)];
-  const double sum = solution.residual.squaredNorm();
+  law.worst_error = residual.cwiseAbs().maxCoeff(&worst);
+  law.worst_point = rows[static_cast<std::size_t>(worst)];
+  Eigen::VectorXd observed(residual.size());
+  for (Eigen::Index i = 0; i < observed.size(); ++i) observed(i) = rows[static_cast<std::size_t>(i)].angle;
+  const double sum = residual.squaredNorm();
   const double total = (observed.array() - observed.mean()).matrix().squaredNorm();
   law.rms_error = std::sqrt(sum / static_cast<double>(observed.size()));
   law.r_squared = total > 0.0 ? 1.0 - sum / total : kNaN;
@@ -92,6 +94,41 @@ void add_remarks(PowerLaw& law, const Selection& selection) {
                     "errors are those of its form, and more repeats do not make them smaller",
                     law.error.pure_error, law.error.lack_of_fit_p));
   }
+}
+
+/// Where the reference's points do not reach as far as the cheap ones.
+void remark_on_reach(PowerLaw& law, const Selection& selection, const Domain& reference) {
+  constexpr double kSame = 1e-9;
+  for (const Factor factor : selection.varying) {
+    const Range& all = range_of(law.domain, factor);
+    const Range& own = range_of(reference, factor);
+    if (own.low > all.low * (1.0 + kSame) || own.high < all.high * (1.0 - kSame))
+      law.remarks.push_back(fmt::format(
+          "the reference's points reach from {} = {:.4g} to {:.4g} only: beyond, the correction is "
+          "carried on from there",
+          name_of(factor), own.low, own.high));
+  }
+}
+
+PowerLaw fit_both_tests(Selection selection, Loss loss) {
+  if (loss != Loss::least_squares)
+    throw Unusable("rows of a cheap test and of a reference are fitted together by least squares only");
+  const TwoFidelityFit fit = solve_two_fidelities(selection);
+  const Selection reference = reference_rows(selection);
+  PowerLaw law;
+  law.error = fit.error;
+  law.domain = domain_of(selection.used);
+  const Domain own = domain_of(reference.used);
+  law.domain.angle = own.angle;
+  law.points = static_cast<int>(selection.used.size());
+  law.distinct_points = selection.distinct_points;
+  law.correction = fit.correction;
+  place_parameters(law, selection, fit.theta, fit.covariance);
+  place_errors(law, reference.used, fit.residual);
+  add_remarks(law, selection);
+  remark_on_reach(law, selection, own);
+  law.excluded = std::move(selection.excluded);
+  return law;
 }
 
 }  // namespace
@@ -136,6 +173,7 @@ Eigen::Matrix4d PowerLaw::correlation() const {
 
 PowerLaw fit_power_law(std::span<const Observation> table, Loss loss) {
   Selection selection = select_points(table);
+  if (has_cheap_rows(selection)) return fit_both_tests(std::move(selection), loss);
   const PowerProblem problem = problem_of(selection);
   const PowerSolution least_squares = solve_least_squares(problem, log_linear_start(problem));
 
@@ -148,7 +186,7 @@ PowerLaw fit_power_law(std::span<const Observation> table, Loss loss) {
   if (loss == Loss::minimax) {
     const PowerSolution minimax = solve_minimax(problem, least_squares.theta);
     place_parameters(law, selection, minimax.theta, minimax_covariance(problem, least_squares, law.error));
-    place_errors(law, selection, minimax, problem.response);
+    place_errors(law, selection.used, minimax.residual);
     if (minimax.optimality > kGapWorthSaying) {
       law.remarks.push_back(fmt::format("the worst error may be up to {:.2g} % above the smallest possible",
                                         100.0 * minimax.optimality));
@@ -156,7 +194,7 @@ PowerLaw fit_power_law(std::span<const Observation> table, Loss loss) {
   } else {
     place_parameters(law, selection, least_squares.theta,
                      jacobian_covariance(least_squares.jacobian, law.error.standard_deviation));
-    place_errors(law, selection, least_squares, problem.response);
+    place_errors(law, selection.used, least_squares.residual);
   }
   add_remarks(law, selection);
   law.excluded = std::move(selection.excluded);

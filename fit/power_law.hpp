@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -31,6 +32,13 @@ struct Estimate {
   double standard_error = 0.0;  ///< NaN if not identified
   Range interval_95;            ///< value ± t(0.975, degrees of freedom) × standard error; NaN likewise
   bool identified = false;      ///< false: the factor does not vary, the exponent is 0 and C holds its effect
+};
+
+/// What turns the law of a cheap test into that of its reference: α_ref = α_cheap C' e^a' μr^b' μs^c'.
+struct Correction {
+  Estimate C, a, b, c;  ///< exponents that were not taken are 0 and not identified
+  int cheap_rows = 0;
+  int reference_rows = 0;
 };
 
 /// A row that the law cannot take.
@@ -63,6 +71,9 @@ struct PowerLaw {
   int points = 0;           ///< fitted
   int distinct_points = 0;  ///< of them with factors of their own
   std::vector<Excluded> excluded;
+  /// Where some rows are of a cheap test. The law, its errors and its worst point are then those of the
+  /// reference.
+  std::optional<Correction> correction;
   std::vector<std::string> remarks;  ///< what a reader has to know, in sentences
   Domain domain;
 
@@ -90,6 +101,9 @@ struct PowerLaw {
 /// lack of fit at the 25 % level that Bancroft (1964) advises for pooling; then they are those of all rows
 /// (rows − parameters). Minimax has no such theory: its covariance is that of 200 refits to angles with
 /// resampled errors (a bootstrap with a fixed seed).
+///
+/// Where some rows are of a cheap test (Observation::cheap), both tests are fitted together and the law
+/// returned is that of the others (two_fidelities.hpp); by least squares only.
 ///
 /// Throws Unusable: no usable row, not more distinct points than parameters, factors that only vary together,
 /// no convergence.

@@ -26,6 +26,7 @@ struct Observation {
   int replicate = 0;            ///< number of the repeat at the same factors
   double standard_error = 0.0;  ///< of the angle as it was read [deg], 0 if unknown; shown, not a weight
   std::string label = {};       ///< how messages name the row ("run 12", "line 4"), may be empty
+  bool cheap = false;           ///< of a cheaper test than the one that the law is for (two_fidelities.hpp)
   std::string exclusion = {};   ///< why the caller keeps it out of a fit ("no heap"), empty if usable
 };
 

@@ -68,7 +68,7 @@ std::string reasons_of(const std::vector<Excluded>& excluded) {
 void number_distinct_points(Selection& selection) {
   std::map<std::vector<double>, int> number;
   for (const Observation& row : selection.used) {
-    std::vector<double> key;
+    std::vector<double> key = {row.cheap ? 1.0 : 0.0};
     for (const Factor factor : selection.varying) key.push_back(value_of(factors_of(row), factor));
     const int next = static_cast<int>(number.size());
     selection.point_of.push_back(number.emplace(std::move(key), next).first->second);

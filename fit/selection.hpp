@@ -24,7 +24,7 @@ struct Selection {
   std::vector<Observation> used;
   std::vector<Excluded> excluded;
   std::vector<Factor> varying;  ///< in the order of kFactors
-  int distinct_points = 0;      ///< rows of `used` that differ in their factors
+  int distinct_points = 0;      ///< rows of `used` that differ in their factors or their test
   std::vector<int> point_of;    ///< number of the distinct point of each row of `used`
 };
 

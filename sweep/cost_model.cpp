@@ -50,7 +50,9 @@ double time_step_of(const Scene& scene, double smallest_radius) {
 double estimated_work(const Scene& scene) {
   const Bodies bodies = bodies_of(scene.particles);
   const double count = scene.particles.total_mass / (scene.particles.material.density * bodies.mean_volume);
-  const double duration = scene.particles.total_mass / scene.test.pour_rate + kTimeAfterPouring;
+  const double pouring =
+      scene.test.filling == Filling::pour ? scene.particles.total_mass / scene.test.pour_rate : 0.0;
+  const double duration = pouring + kTimeAfterPouring;
   return count * bodies.mean_spheres * duration / time_step_of(scene, bodies.smallest_radius);
 }
 

@@ -9,8 +9,8 @@
 namespace repose::sweep {
 
 /// Rough number of sphere updates of a slump test, to compare tests with each other before any has run:
-///   W = N n T / Δt,   N = M / (ρ V̄),   T = M / pour rate + 1 s,   Δt = fraction · T_R or as given,
-///   T_R = π R √(ρ/G) / (0.163 ν + 0.8766) with R the smallest sphere's radius,
+///   W = N n T / Δt,   N = M / (ρ V̄),   T = M / pour rate (if poured) + 1 s,   Δt = fraction · T_R or as
+///   given, T_R = π R √(ρ/G) / (0.163 ν + 0.8766) with R the smallest sphere's radius,
 /// where n is the mean number of spheres of a body. "auto" counts as a fraction of 0.3.
 /// @return W > 0, not finite only for a scene that cannot be run
 /// Source: Li et al. 2017 eq. 9 for T_R.

@@ -79,7 +79,7 @@ std::vector<DesignPoint> table(const Design& design) {
   std::map<Values, std::size_t> known;
   for (const TableRow& row : design.rows) {
     const auto [place, is_new] = known.emplace(row.values, points.size());
-    if (is_new) points.push_back({row.values, {}});
+    if (is_new) points.push_back({row.values, {}, 0});
     std::vector<int>& replicates = points[place->second].replicates;
     if (row.replicate > 0)
       replicates.push_back(row.replicate);
@@ -89,18 +89,27 @@ std::vector<DesignPoint> table(const Design& design) {
   return points;
 }
 
+std::vector<DesignPoint> rungs_and_frictions(const Design& design) {
+  std::vector<DesignPoint> points;
+  for (std::size_t rung = 0; rung <= design.ladder.rungs.size(); ++rung)
+    for (const Values& values : design.ladder.frictions)
+      points.push_back({values, one_to(design.replicates), rung});
+  return points;
+}
+
 std::uint64_t hash_of(const std::string& text) { return XXH3_64bits(text.data(), text.size()); }
 
 }  // namespace
 
 std::vector<DesignPoint> points_of(const Design& design) {
   if (design.kind == DesignKind::table) return table(design);
+  if (design.kind == DesignKind::chart) return rungs_and_frictions(design);
   std::vector<Values> all = design.kind == DesignKind::full_factorial    ? full_factorial(design.factors)
                             : design.kind == DesignKind::latin_hypercube ? latin_hypercube(design)
                                                                          : sobol(design);
   std::vector<DesignPoint> points;
   points.reserve(all.size());
-  for (Values& values : all) points.push_back({std::move(values), one_to(design.replicates)});
+  for (Values& values : all) points.push_back({std::move(values), one_to(design.replicates), 0});
   return points;
 }
 

@@ -4,9 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "sweep/ladder.hpp"
+
 namespace repose::sweep {
 
-enum class DesignKind { full_factorial, latin_hypercube, sobol, table };
+enum class DesignKind { full_factorial, latin_hypercube, sobol, table, chart };
 
 /// One thing that the runs of a sweep differ in.
 struct Factor {
@@ -34,12 +36,14 @@ struct Design {
   bool scramble = false;               ///< sobol: shifted by random words of the seed
   std::string table_file;              ///< table: the CSV as the case writes it
   std::vector<TableRow> rows;          ///< table: all rows
+  Ladder ladder;                       ///< chart: what stands at /chart
 };
 
 /// A point of a design with the numbers of its replicates (1, 2, …).
 struct DesignPoint {
   std::vector<double> values;  ///< in the order of Design::factors
   std::vector<int> replicates;
+  std::size_t rung = 0;  ///< chart: 0 is the reference, k the k-th rung
 };
 
 /// The points in their order:
@@ -47,6 +51,7 @@ struct DesignPoint {
 /// - latin_hypercube: x_i = (π(i) + u_i) / n per factor with its own random permutation π and u uniform in
 ///   [0, 1) (McKay, Beckman & Conover 1979), so that each of n equal strata of a factor holds one point;
 /// - sobol: the first n points of the sequence from the origin on (sobol.hpp), shifted if `scramble`;
+/// - chart: the reference and each rung with every set of frictions, the frictions fastest;
 /// - table: the distinct rows in the order of their first appearance.
 /// Values are low + (high − low) x. The same design gives the same bits on every machine. Points do not
 /// depend on how many there are (full_factorial, sobol, table), so that a design can be extended.
@@ -58,7 +63,9 @@ std::vector<DesignPoint> points_of(const Design& design);
 ///
 /// Independent seeds are the default, because the fit's standard errors take the errors of the points as
 /// independent. With common random numbers all points share the same particles and the same order of pouring:
-/// differences between points are then less noisy, but all points share that sample's own deviation.
+/// differences between points are then less noisy, but all points share that sample's own deviation. The
+/// rungs of a chart share the seeds of their frictions' set: the differences between them are what is looked
+/// for.
 std::uint64_t seed_of(const Design& design, const std::vector<double>& values, int replicate);
 
 /// 64-bit hash of a point's values with the pointers that they belong to, whatever their order.

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 
+#include "engine/scene/case_keys.hpp"
 #include "engine/scene/did_you_mean.hpp"
 #include "engine/scene/json_file.hpp"
 #include "sweep/factor.hpp"
@@ -24,7 +25,8 @@ using Json = CaseDocument::Json;
 const std::map<std::string, DesignKind> kKinds = {{"full_factorial", DesignKind::full_factorial},
                                                   {"latin_hypercube", DesignKind::latin_hypercube},
                                                   {"sobol", DesignKind::sobol},
-                                                  {"table", DesignKind::table}};
+                                                  {"table", DesignKind::table},
+                                                  {"chart", DesignKind::chart}};
 
 const std::set<std::string> kCommonKeys = {"design", "replicates", "seed", "common_random_numbers"};
 
@@ -32,7 +34,8 @@ const std::map<DesignKind, std::set<std::string>> kKeysOfKind = {
     {DesignKind::full_factorial, {"factors"}},
     {DesignKind::latin_hypercube, {"factors", "runs"}},
     {DesignKind::sobol, {"factors", "runs", "scramble"}},
-    {DesignKind::table, {"table"}}};
+    {DesignKind::table, {"table"}},
+    {DesignKind::chart, {}}};
 
 class DesignReader {
  public:
@@ -51,6 +54,10 @@ class DesignReader {
     const std::optional<DesignKind> kind = read_kind();
     design.kind = kind.value_or(DesignKind::full_factorial);
     check_keys(kind);
+    if (kind == DesignKind::chart) {
+      read_chart(design);
+      return design;
+    }
     design.replicates = static_cast<int>(read_integer("replicates", 1, 1, kMostRuns));
     design.seed = static_cast<std::uint64_t>(read_integer("seed", 1, 0, 0x1p53));
     design.common_random_numbers = read_boolean("common_random_numbers");
@@ -74,7 +81,7 @@ class DesignReader {
   }
 
   std::optional<DesignKind> read_kind() {
-    const std::string names = "full_factorial, latin_hypercube, sobol or table";
+    const std::string names = "full_factorial, latin_hypercube, sobol, table or chart";
     if (!sweep_->contains("design")) {
       fault("/design", "", "is required: " + names);
       return std::nullopt;
@@ -93,7 +100,8 @@ class DesignReader {
     for (const auto& [key, value] : sweep_->items()) {
       if (!known.contains(key))
         fault(pointer_to("", key), shown(value), "is not known here" + did_you_mean(key, names));
-      else if (kind && !kCommonKeys.contains(key) && !kKeysOfKind.at(*kind).contains(key))
+      else if (kind && key != "design" && (kind == DesignKind::chart || !kCommonKeys.contains(key)) &&
+               !kKeysOfKind.at(*kind).contains(key))
         fault("/" + key, shown(value), "does not belong to a design of this kind");
     }
   }
@@ -160,6 +168,20 @@ class DesignReader {
     if (is_range && values.size() == 2 && !(values[0] < values[1]))
       fault(place, shown(levels), "low must be below high");
     return values;
+  }
+
+  void read_chart(Design& design) {
+    design.ladder = read_ladder(document_, faults_);
+    design.replicates = design.ladder.replicates;
+    design.seed = design.ladder.seed;
+    for (const std::string& name : design.ladder.friction_names)
+      if (factor_pointer(name))
+        add_factor(name, document_.source("/chart/frictions"), "/chart/frictions", design.factors, faults_);
+    const auto runs = static_cast<double>((design.ladder.rungs.size() + 1) * design.ladder.frictions.size()) *
+                      design.replicates;
+    if (runs > kMostRuns)
+      faults_.add(document_.source("/chart"), "/chart", fmt::format("{:.0f} runs", runs),
+                  fmt::format("must be at most {:.0f}", kMostRuns));
   }
 
   void read_table(Design& design) {

@@ -24,6 +24,8 @@ using Json = CaseDocument::Json;
 
 /// Name under which the values of a design go into a case, to know them again in the faults of the scene.
 constexpr const char* kOfDesign = "the design of the sweep";
+/// The same of a ladder; where the value stands follows.
+constexpr std::string_view kOfLadder = "the ladder of the chart: ";
 
 Json as_json(const Factor& factor, double value) {
   const CaseKey* key = find_case_key(factor.pointer);
@@ -38,9 +40,11 @@ class ScenesOfPoints {
   ScenesOfPoints(const CaseDocument& document, const Design& design) : document_(document), design_(design) {}
 
   /// Factors that stand for no number of a case are left out.
-  Scene at(const std::vector<double>& values) {
+  Scene at(const DesignPoint& point) {
+    const std::vector<double>& values = point.values;
     CaseDocument document = document_;
     Faults faults;
+    set(design_.ladder.reference, document, faults);
     for (std::size_t f = 0; f < values.size(); ++f) {
       const Factor& factor = design_.factors[f];
       if (factor.pointer.empty() || !std::isfinite(values[f])) continue;
@@ -50,9 +54,10 @@ class ScenesOfPoints {
         faults.add(error);
       }
     }
+    if (point.rung > 0) set(design_.ladder.rungs[point.rung - 1], document, faults);
     Scene scene = read_scene(document, faults, shapes_);
     ++points_;
-    for (const Fault& fault : faults.list()) note(placed(fault), values);
+    for (const Fault& fault : faults.list()) note(placed(fault), words_of(point));
     return scene;
   }
 
@@ -73,12 +78,42 @@ class ScenesOfPoints {
     int points = 0;
   };
 
+  void set(const Variant& variant, CaseDocument& document, Faults& faults) const {
+    for (const Override& override : variant.set) {
+      try {
+        document.set(override.pointer, with_absolute_paths(document_, override),
+                     std::string(kOfLadder) + override.place);
+      } catch (const InputError& error) {
+        faults.add(error);
+      }
+    }
+  }
+
+  [[nodiscard]] std::string words_of(const DesignPoint& point) const {
+    std::string words = point.rung > 0 ? design_.ladder.rungs[point.rung - 1].name : "";
+    for (std::size_t f = 0; f < point.values.size(); ++f)
+      words += fmt::format("{}{} = {}", words.empty() ? "" : ", ", design_.factors[f].name, point.values[f]);
+    return words;
+  }
+
   /// A fault of a value that the design has set is the design's own.
   [[nodiscard]] std::pair<Fault, bool> placed(Fault fault) const {
+    if (fault.file.starts_with(kOfLadder)) {
+      const std::string place = fault.file.substr(kOfLadder.size());
+      // The last part of the place is the pointer that was set; the fault may lie deeper.
+      const std::string pointer = pointer_parts(place)->back();
+      fault.pointer =
+          place + (fault.pointer.starts_with(pointer) ? fault.pointer.substr(pointer.size()) : "");
+      fault.file = document_.source(place);
+      return {fault, true};
+    }
     if (fault.file != kOfDesign) return {fault, false};
     for (const Factor& factor : design_.factors) {
       if (factor.pointer != fault.pointer) continue;
-      if (design_.kind == DesignKind::table) {
+      if (design_.kind == DesignKind::chart) {
+        fault.pointer = "/chart/frictions";
+        fault.file = document_.source(fault.pointer);
+      } else if (design_.kind == DesignKind::table) {
         fault.file = document_.resolve("/sweep/table", design_.table_file).string();
         fault.pointer = "column " + factor.name;
       } else {
@@ -91,16 +126,11 @@ class ScenesOfPoints {
     return {fault, false};
   }
 
-  void note(const std::pair<Fault, bool>& placed, const std::vector<double>& values) {
+  void note(const std::pair<Fault, bool>& placed, const std::string& words) {
     const auto& [fault, of_factor] = placed;
     const auto [place, is_new] =
         index_.emplace(std::tuple(fault.file, fault.pointer, fault.rule), noted_.size());
-    if (is_new) {
-      std::string words;
-      for (std::size_t f = 0; f < values.size(); ++f)
-        words += fmt::format("{}{} = {}", f == 0 ? "" : ", ", design_.factors[f].name, values[f]);
-      noted_.push_back({fault, of_factor, words, 0});
-    }
+    if (is_new) noted_.push_back({fault, of_factor, words, 0});
     ++noted_[place->second].points;
   }
 
@@ -133,18 +163,24 @@ FactorValues Plan::factors_of(std::size_t point) const {
   return values;
 }
 
+std::string Plan::variant_of(std::size_t point) const {
+  if (design.kind != DesignKind::chart) return {};
+  const std::size_t rung = points[point].rung;
+  return rung == 0 ? kReference : design.ladder.rungs[rung - 1].name;
+}
+
 Plan make_plan(const CaseDocument& document) {
   Faults faults;
   Plan plan;
   plan.design = read_design(document, faults);
   ScenesOfPoints scenes(document, plan.design);
   if (!faults.empty()) {
-    scenes.at(first_levels(plan.design));
+    scenes.at({first_levels(plan.design), {}, 0});
     scenes.add_to(faults);
     faults.throw_if_any();
   }
   const std::vector<DesignPoint> points = points_of(plan.design);
-  for (const DesignPoint& point : points) plan.points.push_back({point.values, scenes.at(point.values)});
+  for (const DesignPoint& point : points) plan.points.push_back({point.values, scenes.at(point), point.rung});
   scenes.add_to(faults);
   faults.throw_if_any();
 
@@ -181,7 +217,8 @@ std::vector<std::size_t> runs_of_shard(const Plan& plan, const Shard& shard) {
   std::vector<std::pair<std::uint64_t, std::size_t>> shuffled;
   for (std::size_t i = 0; i < plan.runs.size(); ++i) {
     const PlannedRun& run = plan.runs[i];
-    const std::uint64_t point = hash_of_point(plan.design, plan.points[run.point].values);
+    const std::uint64_t point = hash_of_point(plan.design, plan.points[run.point].values) +
+                                mix64(static_cast<std::uint64_t>(plan.points[run.point].rung));
     shuffled.emplace_back(mix64(point + static_cast<std::uint64_t>(run.replicate)), i);
   }
   std::sort(shuffled.begin(), shuffled.end());

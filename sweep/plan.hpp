@@ -14,6 +14,7 @@ namespace repose::sweep {
 struct PlannedPoint {
   std::vector<double> values;  ///< in the order of Design::factors
   Scene scene;
+  std::size_t rung = 0;  ///< of a chart's ladder (DesignPoint)
 };
 
 struct PlannedRun {
@@ -30,6 +31,8 @@ struct Plan {
   std::vector<PlannedRun> runs;
 
   [[nodiscard]] FactorValues factors_of(std::size_t point) const;
+  /// The rung's name of a chart's point, "reference" for the reference; "" in every other design.
+  [[nodiscard]] std::string variant_of(std::size_t point) const;
 };
 
 /// Reads a case's design and the scene at each of its points. Throws InputError with every fault: those of

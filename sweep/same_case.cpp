@@ -20,7 +20,7 @@ constexpr const char* kComparison = "comparison";
 /// A case without what may differ, its keys sorted.
 nlohmann::json stripped(const Json& json) {
   nlohmann::json rest = nlohmann::json::parse(json.dump());
-  for (const char* key : {"sweep", "title", "$schema"}) rest.erase(key);
+  for (const char* key : {"sweep", "chart", "title", "$schema"}) rest.erase(key);
   for (const char* name : kFrictions) {
     const nlohmann::json::json_pointer pointer(*factor_pointer(name));
     if (rest.contains(pointer)) rest.at(pointer.parent_pointer()).erase(pointer.back());

@@ -135,6 +135,7 @@ class Pass {
     run.mu_s = scene.contact.particle_particle.static_friction;
     run.mu_r = scene.contact.particle_particle.rolling_friction;
     run.factors = plan_.factors_of(planned.point);
+    run.variant = plan_.variant_of(planned.point);
     return run;
   }
 

@@ -10,6 +10,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "sweep/ladder.hpp"
 #include "sweep/study.hpp"
 
 namespace repose::sweep {
@@ -21,18 +22,9 @@ using Json = CaseDocument::Json;
 
 /// Pointers of all paths in a case.
 std::vector<std::string> paths_in(const CaseDocument& document) {
-  std::vector<std::string> pointers;
-  const auto add = [&](const std::string& pointer) {
-    const Json* value = document.find(pointer);
-    if (value != nullptr && value->is_string()) pointers.push_back(pointer);
-  };
-  if (const Json* shapes = document.find("/particles/shapes"); shapes != nullptr && shapes->is_array()) {
-    for (std::size_t i = 0; i < shapes->size(); ++i) {
-      add(fmt::format("/particles/shapes/{}/clump", i));
-      add(fmt::format("/particles/shapes/{}/mesh", i));
-    }
-  }
-  add("/sweep/table");
+  std::vector<std::string> pointers = shape_paths(document);
+  const Json* table = document.find("/sweep/table");
+  if (table != nullptr && table->is_string()) pointers.push_back("/sweep/table");
   return pointers;
 }
 

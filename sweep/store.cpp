@@ -14,8 +14,8 @@ namespace repose::sweep {
 namespace {
 
 constexpr int kApplicationId = 0x5265706f;  // "Repo" in the header of the file
-/// 1: the first. 2: warnings, mass_lost_kg, reaches_edge and the diagnosis of the motion.
-constexpr int kSchema = 2;
+/// 1: the first. 2: warnings, mass_lost_kg, reaches_edge and the diagnosis of the motion. 3: variant.
+constexpr int kSchema = 3;
 
 /// Names and types of the columns, and how they are bound and read: all from visit_columns.
 template <class Value>

@@ -27,6 +27,7 @@ struct StoredRun {
   double mu_s = 0.0;
   double mu_r = 0.0;
   FactorValues factors;             ///< as the design named them when the run was made
+  std::string variant;              ///< rung of a chart that the run was made for; may be empty
   std::string outcome;              ///< name_of(Outcome) or kFailed
   std::string reason;               ///< may be empty
   std::optional<double> angle_deg;  ///< the angles only for `completed`: no other angle may enter a fit
@@ -68,6 +69,7 @@ void visit_columns(Run& run, Visit&& visit) {
   visit("mu_s", run.mu_s);
   visit("mu_r", run.mu_r);
   visit("factors", run.factors);
+  visit("variant", run.variant);
   visit("outcome", run.outcome);
   visit("reason", run.reason);
   visit("angle_deg", run.angle_deg);

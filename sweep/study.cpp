@@ -64,9 +64,9 @@ Study open_or_create_study(const fs::path& folder, const CaseDocument& document)
 
 std::vector<StoredRun> runs_of(const Store& store) {
   std::vector<StoredRun> runs = store.runs();
-  std::map<std::tuple<double, double, double, FactorValues, std::int64_t>, StoredRun*> latest;
+  std::map<std::tuple<double, double, double, FactorValues, std::string, std::int64_t>, StoredRun*> latest;
   for (StoredRun& run : runs) {
-    StoredRun*& last = latest[{run.e_pp, run.mu_s, run.mu_r, run.factors, run.seed}];
+    StoredRun*& last = latest[{run.e_pp, run.mu_s, run.mu_r, run.factors, run.variant, run.seed}];
     if (last != nullptr) (last->finished_at < run.finished_at ? last : &run)->superseded = true;
     if (last == nullptr || !run.superseded) last = &run;
   }

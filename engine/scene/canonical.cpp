@@ -66,24 +66,30 @@ Json json_of(const ContactModel& contact) {
 }
 
 Json json_of(const SlumpTest& test) {
-  const auto& [kind, base_radius, base_height, cylinder_radius, cylinder_height, pour_rate, pour_speed,
-               opening_speed] = test;
+  const auto& [kind, filling, base_radius, base_height, cylinder_radius, cylinder_height, pour_rate,
+               pour_speed, opening_speed] = test;
   const Json radius = std::isfinite(base_radius) ? Json(base_radius) : Json("unbounded");
-  return {{"kind", choice_name(kind)},          {"base_radius", radius},
-          {"base_height", base_height},         {"cylinder_radius", cylinder_radius},
-          {"cylinder_height", cylinder_height}, {"pour_rate", pour_rate},
-          {"pour_speed", pour_speed},           {"opening_speed", opening_speed}};
+  return {{"kind", choice_name(kind)},
+          {"filling", choice_name(filling)},
+          {"base_radius", radius},
+          {"base_height", base_height},
+          {"cylinder_radius", cylinder_radius},
+          {"cylinder_height", cylinder_height},
+          {"pour_rate", pour_rate},
+          {"pour_speed", pour_speed},
+          {"opening_speed", opening_speed}};
 }
 
 Json json_of(const Numerics& numerics) {
   const auto& [time_step_fraction, time_step, stiffness_scale, integrator, settle_energy_ratio,
-               rest_energy_ratio, stage_time_limit] = numerics;
+               rest_energy_ratio, rest_angle_change, stage_time_limit] = numerics;
   return {{"time_step_fraction", time_step_fraction ? Json(*time_step_fraction) : Json()},
           {"time_step", time_step ? Json(*time_step) : Json()},
           {"stiffness_scale", stiffness_scale},
           {"integrator", choice_name(integrator)},
           {"settle_energy_ratio", settle_energy_ratio},
           {"rest_energy_ratio", rest_energy_ratio},
+          {"rest_angle_change", rest_angle_change ? Json(*rest_angle_change) : Json()},
           {"stage_time_limit", stage_time_limit}};
 }
 

@@ -73,6 +73,7 @@ std::vector<CaseKey> make_keys() {
       number("/particles/size_classes/*/percent", kPercent),
       number("/particles/size_classes/*/mass_percent", kPercent),
       required(number("/particles/total_mass_kg", kPositive)),
+      number("/particles/coarse_graining", kAtLeastOne),
 
       required(object("/walls")),
       required(number("/walls/density_kg_m3", kPositive)),
@@ -102,6 +103,7 @@ std::vector<CaseKey> make_keys() {
       required(object("/test/cylinder")),
       required(number("/test/cylinder/diameter_mm", kPositive)),
       required(number("/test/cylinder/height_mm", kPositive)),
+      choice("/test/filling", choice_names<Filling>()),
       number("/test/pour_rate_kg_s", kPositive),
       number("/test/pour_speed_m_s", kNotNegative),
       number("/test/opening_speed_m_s", kPositive),
@@ -113,6 +115,7 @@ std::vector<CaseKey> make_keys() {
       choice("/numerics/integrator", choice_names<Integrator>()),
       number("/numerics/settle_energy_ratio", kPositive),
       number("/numerics/rest_energy_ratio", kPositive),
+      number("/numerics/rest_angle_change_deg", kPositive),
       number("/numerics/stage_time_limit_s", kPositive),
 
       object("/measure"),
@@ -120,6 +123,7 @@ std::vector<CaseKey> make_keys() {
       number("/measure/window/*", kFraction),
 
       {.pattern = "/sweep", .kind = KeyKind::anything},
+      {.pattern = "/chart", .kind = KeyKind::anything},
   };
 }
 

@@ -49,6 +49,10 @@ template <>
 inline constexpr std::array<Named<TestKind>, 2> kNames<TestKind>{
     {{TestKind::split_cylinder, "split_cylinder"}, {TestKind::lifted_cylinder, "lifted_cylinder"}}};
 
+template <>
+inline constexpr std::array<Named<Filling>, 3> kNames<Filling>{
+    {{Filling::pour, "pour"}, {Filling::rain, "rain"}, {Filling::packing, "packing"}}};
+
 /// "type_a" for RollingModel::type_a, and so on.
 template <class Choice>
 constexpr std::string_view choice_name(Choice choice) {

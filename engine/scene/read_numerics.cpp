@@ -19,6 +19,8 @@ Numerics read_numerics(CheckedCase& checked) {
   numerics.settle_energy_ratio =
       checked.number_or("/numerics/settle_energy_ratio", numerics.settle_energy_ratio);
   numerics.rest_energy_ratio = checked.number_or("/numerics/rest_energy_ratio", numerics.rest_energy_ratio);
+  if (const auto change = checked.number("/numerics/rest_angle_change_deg"))
+    numerics.rest_angle_change = radians(*change);
   numerics.stage_time_limit = checked.number_or("/numerics/stage_time_limit_s", numerics.stage_time_limit);
   return numerics;
 }

@@ -102,6 +102,17 @@ std::optional<Clump> read_shape(CheckedCase& checked, const std::string& pointer
   }
 }
 
+/// Every particle k times as large, and so 1/k³ as many; README.md says what that does to the laws.
+void grow(Particles& particles, double k) {
+  const double cube = k * k * k;
+  for (SizeClass& size : particles.size_classes) size.volume_min *= cube, size.volume_max *= cube;
+  for (Clump& shape : particles.shapes) {
+    for (Sphere& sphere : shape.spheres) sphere.centre *= k, sphere.radius *= k;
+    shape.volume *= cube;
+    shape.inertia *= cube * k * k;
+  }
+}
+
 }  // namespace
 
 Material read_material(const CheckedCase& checked, const std::string& section) {
@@ -128,6 +139,7 @@ Particles read_particles(CheckedCase& checked, ShapeCache& shapes) {
   // Rules of the whole need the whole.
   if (particles.shapes.size() != count || (checked.given(kClasses) && particles.size_classes.empty()))
     particles.shapes.clear();
+  if (const auto k = checked.number("/particles/coarse_graining")) grow(particles, *k);
   return particles;
 }
 

@@ -46,6 +46,7 @@ Sizes sizes_of(const Particles& particles) {
 SlumpTest read_test(CheckedCase& checked) {
   SlumpTest test;
   test.kind = checked.choice_or("/test/kind", test.kind);
+  test.filling = checked.choice_or("/test/filling", test.filling);
   const std::optional<double> base = checked.number("/test/base/diameter_mm");
   const std::optional<double> cylinder = checked.number("/test/cylinder/diameter_mm");
   if (base) test.base_radius = from_mm(*base) / 2.0;

@@ -51,14 +51,22 @@ struct Particles {
 
 enum class TestKind { split_cylinder, lifted_cylinder };
 
+/// How the particles come into the cylinder (engine/slump).
+enum class Filling {
+  pour,    ///< at the top, at the pour rate
+  rain,    ///< all at once, loosely above each other, falling
+  packing  ///< all at once, packed at random, at rest
+};
+
 struct SlumpTest {
   TestKind kind = TestKind::split_cylinder;
+  Filling filling = Filling::pour;
   double base_radius = std::numeric_limits<double>::infinity();  ///< [m]; infinite: an unbounded plane
   double base_height = 0.05;                                     ///< [m], above the ground
   double cylinder_radius = 0.0;                                  ///< inner [m]
   double cylinder_height = 0.0;                                  ///< [m]
   double pour_rate = 5.0;                                        ///< [kg/s]
-  double pour_speed = 1.0;     ///< downward speed of a poured particle [m/s]
+  double pour_speed = 1.0;     ///< downward speed of a particle that is poured or rains [m/s]
   double opening_speed = 1.0;  ///< of each half, or of the lifted cylinder [m/s]
 };
 
@@ -71,6 +79,8 @@ struct Numerics {
   /// Mean kinetic energy per body over m g d below which a stage counts as at rest.
   double settle_energy_ratio = 1e-4;
   double rest_energy_ratio = 1e-5;
+  /// The heap is also at rest where its angle has moved by less than this for a while (slump/) [rad].
+  std::optional<double> rest_angle_change;
   double stage_time_limit = 5.0;  ///< simulated seconds a stage (settle, rest) may take beyond its start [s]
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/slump/packing.hpp"
+
 namespace repose {
 
 namespace {
@@ -44,6 +46,7 @@ double Pour::waiting(const Simulation& simulation) const {
 }
 
 void Pour::advance(Simulation& simulation) {
+  if (scene_.test.filling != Filling::pour) return place_all(simulation);
   const double due = scene_.test.pour_rate * simulation.time();
   while (!done() && poured_mass_ <= due) {
     if (!try_to_place(simulation, particles_[next_])) break;
@@ -52,6 +55,26 @@ void Pour::advance(Simulation& simulation) {
   }
   if (poured_mass_ > due) last_success_ = simulation.time();  // none is due, so none waits
   last_call_ = simulation.time();
+}
+
+void Pour::place_all(Simulation& simulation) {
+  if (done()) return;
+  const SlumpTest& test = scene_.test;
+  const double inside = kPi * test.cylinder_radius * test.cylinder_radius * test.cylinder_height;
+  no_room_ = total_mass_ / scene_.particles.material.density > inside;
+  if (no_room_) return;
+  const bool rain = test.filling == Filling::rain;
+  const Packing packing = pack_cylinder(scene_.particles, particles_, test.cylinder_radius,
+                                        rain ? kRainFraction : kPackingFraction, placement_);
+  no_room_ = !packing.clear;
+  if (no_room_) return;
+  for (NewBody body : packing.bodies) {
+    if (rain) body.velocity = {0.0, 0.0, -test.pour_speed};
+    simulation.add(body);
+  }
+  top_ = packing.top;
+  poured_mass_ = total_mass_;
+  next_ = particles_.size();
 }
 
 bool Pour::try_to_place(Simulation& simulation, const ParticleDraw& particle) {

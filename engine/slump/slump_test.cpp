@@ -122,7 +122,10 @@ bool SlumpTestRun::pour_stage() {
   stage_ = Stage::pour;
   while (!pour_.done()) {
     pour_.advance(simulation_);
-    if (pour_.waiting(simulation_) > kLongestWait)
+    // What comes in at once may stand higher than the cylinder until it has settled: a collar holds it.
+    Wall& cylinder = simulation_.walls[kCylinder];
+    cylinder.z_high = std::max(cylinder.z_high, pour_.top());
+    if (pour_.has_no_room() || pour_.waiting(simulation_) > kLongestWait)
       return fail(Outcome::overfull, fmt::format("the cylinder is full: {:.3g} of {:.3g} kg found room in "
                                                  "it; pour less or use a larger cylinder",
                                                  pour_.poured_mass(), pour_.total_mass()));
@@ -145,6 +148,7 @@ bool SlumpTestRun::settle_stage() {
           fmt::format("the settled column is higher than the cylinder's {:.0f} mm; pour less or use a "
                       "larger cylinder",
                       1e3 * scene_.test.cylinder_height));
+  simulation_.walls[kCylinder].z_high = scene_.test.cylinder_height;
   return true;
 }
 
@@ -205,6 +209,7 @@ bool SlumpTestRun::rest_stage() {
   stage_ = Stage::rest;
   const double opened = rest_time_;
   double since = 0.0;
+  if (const auto change = scene_.numerics.rest_angle_change) still_angle_.emplace(*change);
   if (!until_rest(scene_.numerics.rest_energy_ratio, "the heap", since)) return false;
   rest_time_ = since - opened;
   return true;
@@ -225,6 +230,12 @@ bool SlumpTestRun::until_rest(double limit, const char* what, double& since) {
     else if (!quiet)
       quiet = true, since = now;
     if (quiet && now - since >= kHold) return true;
+    if (still_angle_ && still_angle_->due(now)) {
+      if (const auto still = still_angle_->look(now, measure_heap(simulation_.snapshot(), scene_.measure))) {
+        since = *still;
+        return true;
+      }
+    }
     if (now - begin > longest) return fail_without_rest(limit, what, floor);
   }
 }

@@ -8,14 +8,16 @@
 #include "engine/slump/motion_watch.hpp"
 #include "engine/slump/outcome.hpp"
 #include "engine/slump/pour.hpp"
+#include "engine/slump/still_angle.hpp"
 
 namespace repose {
 
 /// The slump test as a protocol (article section 3.2): pour, settle, open, rest. The physics ends each stage:
 /// the pour when all particles are in, settle and rest when the mean kinetic energy per body has stayed below
 /// settle_energy_ratio × m g d or rest_energy_ratio × m g d for kHold, open when the walls are out of the
-/// way. A stage that does not end within numerics.stage_time_limit ends the run `timed_out`; a test of more
-/// than kMostSteps steps is `too_long`, at once where pouring and opening alone take that many.
+/// way. With numerics.rest_angle_change a heap whose angle stands still is at rest as well (StillAngle). A
+/// stage that does not end within numerics.stage_time_limit ends the run `timed_out`; a test of more than
+/// kMostSteps steps is `too_long`, at once where pouring and opening alone take that many.
 ///
 /// MotionWatch looks on and ends a run whose motion is unsound. A body that leaves over the cylinder's rim is
 /// taken away and counted: no wall holds it there.
@@ -94,6 +96,7 @@ class SlumpTestRun {
   Outcome outcome_ = Outcome::completed;
   std::string reason_;
   std::vector<Warning> warnings_;
+  std::optional<StillAngle> still_angle_;  ///< of the rest stage, where the scene asks for it
   HeapSnapshot column_;
 };
 

@@ -7,7 +7,7 @@
 namespace repose::test {
 namespace {
 
-const std::vector<std::string> kVerbs = {"calibrate", "simulate", "sweep",  "status", "export",
+const std::vector<std::string> kVerbs = {"calibrate", "simulate", "sweep",  "chart",  "status",   "export",
                                          "merge",     "fit",      "invert", "report", "stability"};
 
 TEST(Usage, HelpNamesEveryVerb) {
@@ -31,15 +31,6 @@ TEST(Usage, VersionNamesTheEngine) {
   EXPECT_EQ(version.code, 0);
   EXPECT_TRUE(version.out.starts_with("repose 0.")) << version.out;
   EXPECT_NE(version.out.find("engine"), std::string::npos);
-}
-
-TEST(Usage, VerbsThatDoNotWorkYetAreAbsent) {
-  for (const std::string verb : {"chart"}) {
-    const Finished answer = repose({verb, "case.json", "--out", "somewhere"});
-    EXPECT_EQ(answer.code, 2);
-    EXPECT_NE(answer.err.find("there is no verb '" + verb + "'"), std::string::npos) << answer.err;
-    EXPECT_NE(answer.err.find("calibrate"), std::string::npos) << "the verbs that there are";
-  }
 }
 
 struct BadUsage {

@@ -23,6 +23,19 @@ std::string range_in_words(const fit::Range& range) {
   return fmt::format("{:.4g} … {:.4g}", range.low, range.high);
 }
 
+/// "reference = cheap × 1.05 μs^0.02 …".
+std::string correction_in_words(const fit::Correction& correction) {
+  std::string text = fmt::format(
+      "the reference's equation, of {} rows of the reference and {} of the cheap test:\n"
+      "  reference = cheap × {:.4g} (± {:.2g})",
+      correction.reference_rows, correction.cheap_rows, correction.C.value, correction.C.standard_error);
+  for (const auto& [name, exponent] :
+       {std::pair{"e", &correction.a}, {"μr", &correction.b}, {"μs", &correction.c}})
+    if (exponent->identified)
+      text += fmt::format(" × {}^{:.4g} (± {:.2g})", name, exponent->value, exponent->standard_error);
+  return text + "\n";
+}
+
 }  // namespace
 
 std::string in_words(const fit::PowerLaw& law) {
@@ -36,6 +49,7 @@ std::string in_words(const fit::PowerLaw& law) {
       text += fmt::format("  {} = {:.4g} ± {:.2g}  (95 %: {})\n", kNames[i], estimate.value,
                           estimate.standard_error, range_in_words(estimate.interval_95));
   }
+  if (law.correction) text += correction_in_words(*law.correction);
   text += fmt::format("{} points, {} loss; RMS error {:.2f}°, R² {:.4f}\n", law.points, name_of(law.loss),
                       law.rms_error, law.r_squared);
   text += fmt::format("worst error {:.2f}° at {}\n", law.worst_error, point_in_words(law.worst_point));

@@ -53,6 +53,7 @@ int run(int argc, char** argv, bool json) {
   add_status(app, chosen);
   add_export(app, chosen);
   add_merge(app, chosen);
+  add_chart(app, chosen);
   add_fit(app, chosen);
   add_invert(app, chosen);
   add_report(app, chosen);

@@ -51,6 +51,13 @@ class Row {
     return otherwise;
   }
 
+  [[nodiscard]] bool is_cheap() const {
+    const std::string word = lower(cell("fidelity"));
+    if (!word.empty() && word != "cheap" && word != "reference")
+      faults_.add(table_.file, line() + ", fidelity", cell("fidelity"), "must be cheap or reference");
+    return word == "cheap";
+  }
+
  private:
   const CsvTable& table_;
   std::size_t row_;
@@ -65,6 +72,7 @@ fit::Observation observation_of(const Row& row) {
   point.replicate = row.whole_number_or("replicate", 0);
   point.standard_error = row.number_or("angle_standard_error_deg", 0.0);
   point.label = row.line();
+  point.cheap = row.is_cheap();
   const std::string outcome = row.cell("outcome");
   if (!outcome.empty() && outcome != "completed")
     point.exclusion = "outcome " + outcome;

@@ -8,6 +8,7 @@
 
 #include "engine/scene/json_file.hpp"
 #include "fit/fit_json.hpp"
+#include "sweep/ladder.hpp"
 #include "sweep/study.hpp"
 #include "tools/program/response_csv.hpp"
 
@@ -44,6 +45,19 @@ std::vector<std::string> other_factors(const std::vector<sweep::StoredRun>& runs
   return names;
 }
 
+/// The rows of a sweep's folder or a CSV; what is wrong with it is added.
+StudyResponses responses_of(const fs::path& source, Faults& faults) {
+  try {
+    if (is_saved_fit(source))
+      throw InputError({source.string(), "", "", "is JSON; a fit needs a sweep's folder or a CSV"});
+    if (fs::is_directory(source)) return read_responses(sweep::open_study(source));
+    return {read_response_csv(source), {}};
+  } catch (const InputError& error) {
+    faults.add(error);
+    return {};
+  }
+}
+
 }  // namespace
 
 fit::Observation observation_of(const sweep::StoredRun& run) {
@@ -62,6 +76,8 @@ fit::Observation observation_of(const sweep::StoredRun& run) {
     point.exclusion = "not in the study's design any more";
   else if (!run.angle_deg)
     point.exclusion = "no angle";
+  else if (!run.variant.empty() && run.variant != sweep::kReference)
+    point.exclusion = "rung of a chart: " + run.variant;
   return point;
 }
 
@@ -82,11 +98,20 @@ fit::PowerLaw fit_of(const StudyResponses& responses, fit::Loss loss) {
   return law;
 }
 
-fit::PowerLaw fitted_law_of(const fs::path& source, fit::Loss loss) {
-  if (is_saved_fit(source))
-    throw InputError({source.string(), "", "", "is JSON; a fit needs a sweep's folder or a CSV"});
-  if (!fs::is_directory(source)) return fit::fit_power_law(read_response_csv(source), loss);
-  return fit_of(read_responses(sweep::open_study(source)), loss);
+fit::PowerLaw fitted_law_of(const fs::path& source, fit::Loss loss, const fs::path& cheap) {
+  Faults faults;
+  StudyResponses responses = responses_of(source, faults);
+  if (!cheap.empty()) {
+    StudyResponses more = responses_of(cheap, faults);
+    for (fit::Observation& row : more.table) {
+      row.cheap = true;
+      row.label = "cheap: " + row.label;
+      responses.table.push_back(std::move(row));
+    }
+    responses.remarks.insert(responses.remarks.end(), more.remarks.begin(), more.remarks.end());
+  }
+  faults.throw_if_any();
+  return fit_of(responses, loss);
 }
 
 fit::PowerLaw law_of(const fs::path& source, fit::Loss loss) {

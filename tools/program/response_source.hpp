@@ -28,6 +28,9 @@ fit::PowerLaw fit_of(const StudyResponses& responses, fit::Loss loss);
 fit::PowerLaw law_of(const std::filesystem::path& source, fit::Loss loss);
 
 /// The same, but a saved fit is a fault: there is nothing to be fitted.
-fit::PowerLaw fitted_law_of(const std::filesystem::path& source, fit::Loss loss);
+/// @param cheap  a source of the same kind, whose runs are of a cheaper test (fit/two_fidelities.hpp); empty:
+/// none
+fit::PowerLaw fitted_law_of(const std::filesystem::path& source, fit::Loss loss,
+                            const std::filesystem::path& cheap = {});
 
 }  // namespace repose::program

@@ -53,7 +53,8 @@ std::vector<Fact> test_facts(const SlumpTest& test) {
                                        1e3 * test.base_height)},
           {"cylinder", fmt::format("inner diameter {:.4g} mm, height {:.4g} mm", 2e3 * test.cylinder_radius,
                                    1e3 * test.cylinder_height)},
-          {"poured at", fmt::format("{:.4g} kg/s", test.pour_rate)},
+          {"filling", test.filling == Filling::pour ? fmt::format("poured at {:.4g} kg/s", test.pour_rate)
+                                                    : std::string(choice_name(test.filling))},
           {"opened at", fmt::format("{:.4g} m/s", test.opening_speed)}};
 }
 

@@ -37,6 +37,7 @@ CaseDocument checked_case(const SweepRequest& request, sweep::SweepOptions& opti
   }
   try {
     document = CaseDocument::load(request.case_file);
+    if (request.prepare) document = request.prepare(document);
     // The sweep checks the design itself; here only where there are other faults to be named with it.
     if (!faults.empty()) sweep::make_plan(document);
   } catch (const InputError& error) {

@@ -17,6 +17,8 @@ struct SweepRequest {
   std::optional<int> threads;  ///< one a core where not given
   std::string shard;           ///< "2/4", or empty
   bool quiet = false;
+  /// Makes another case of the one that was read, before anything is checked; nothing: the case as it is.
+  std::function<CaseDocument(const CaseDocument&)> prepare = nullptr;
   /// Called for each run once it is stored (sweep::SweepOptions).
   std::function<void(const sweep::StoredRun&, const RunResult&)> on_finished = nullptr;
 };

@@ -11,6 +11,7 @@ void add_sweep(CLI::App& app, Action& chosen);
 void add_status(CLI::App& app, Action& chosen);
 void add_export(CLI::App& app, Action& chosen);
 void add_merge(CLI::App& app, Action& chosen);
+void add_chart(CLI::App& app, Action& chosen);
 void add_fit(CLI::App& app, Action& chosen);
 void add_invert(CLI::App& app, Action& chosen);
 void add_report(CLI::App& app, Action& chosen);

@@ -27,7 +27,7 @@ const BadCase kBadCases[] = {
      R"({"gravity": 9.81})",
      {"case.json: /gravity = 9.81: is not known; a case takes $schema, schema, title, base, particles, "
       "walls, "
-      "contact, test, numerics, measure, sweep"}},
+      "contact, test, numerics, measure, sweep, chart"}},
     {"SectionMisspelt",
      R"({"numeric": {"time_step_fraction": 0.2}})",
      {"case.json: /numeric = {\"time_step_fraction\":0.2}: is not known; did you mean \"numerics\"?"}},
@@ -294,6 +294,21 @@ const BadCase kBadCases[] = {
     {"BaseOfNegativeHeight",
      R"({"test": {"base": {"height_mm": -50}}})",
      {"case.json: /test/base/height_mm = -50: must be > 0"}},
+    {"FillingUnknown",
+     R"({"test": {"filling": "pakcing"}})",
+     {"case.json: /test/filling = \"pakcing\": must be one of \"pour\", \"rain\", \"packing\"; did you mean "
+      "\"packing\"?"}},
+    {"CoarseGrainingBelowOne",
+     R"({"particles": {"coarse_graining": 0.5}})",
+     {"case.json: /particles/coarse_graining = 0.5: must be >= 1"}},
+    {"CoarseGrainingBeyondTheCylinder",
+     R"({"particles": {"coarse_graining": 5}})",
+     {"case.json: /test/cylinder/diameter_mm = 100: must be at least 3 times the largest particle's "
+      "diameter, "
+      "45.7 mm"}},
+    {"RestAngleChangeZero",
+     R"({"numerics": {"rest_angle_change_deg": 0}})",
+     {"case.json: /numerics/rest_angle_change_deg = 0: must be > 0"}},
     {"PourRateZero",
      R"({"test": {"pour_rate_kg_s": 0}})",
      {"case.json: /test/pour_rate_kg_s = 0: must be > 0"}},
@@ -305,7 +320,8 @@ const BadCase kBadCases[] = {
      {"case.json: /test/opening_speed_m_s = -1: must be > 0"}},
     {"KeyOfAnotherSection",
      R"({"test": {"restitution": 0.5}})",
-     {"case.json: /test/restitution = 0.5: is not known; /test takes kind, base, cylinder, pour_rate_kg_s, "
+     {"case.json: /test/restitution = 0.5: is not known; /test takes kind, base, cylinder, filling, "
+      "pour_rate_kg_s, "
       "pour_speed_m_s, opening_speed_m_s"}},
 
     // Numerics and measurement

@@ -22,7 +22,7 @@ inline Json good_case() {
         {"volume_mm3": [100, 200], "percent": 60},
         {"volume_mm3": [200, 400], "percent": 40}
       ],
-      "total_mass_kg": 1.5
+      "total_mass_kg": 1.5, "coarse_graining": 1
     },
     "walls": { "density_kg_m3": 1200, "shear_modulus_Pa": 2e7, "poisson_ratio": 0.4 },
     "contact": {
@@ -38,11 +38,11 @@ inline Json good_case() {
       "kind": "lifted_cylinder",
       "base": { "diameter_mm": 195, "height_mm": 40 },
       "cylinder": { "diameter_mm": 100, "height_mm": 300 },
-      "pour_rate_kg_s": 4.0, "pour_speed_m_s": 1.5, "opening_speed_m_s": 0.5
+      "filling": "rain", "pour_rate_kg_s": 4.0, "pour_speed_m_s": 1.5, "opening_speed_m_s": 0.5
     },
     "numerics": {
       "time_step_fraction": 0.2, "stiffness_scale": 0.5, "integrator": "velocity_verlet", "settle_energy_ratio": 2e-4,
-      "rest_energy_ratio": 3e-5, "stage_time_limit_s": 6.0
+      "rest_energy_ratio": 3e-5, "rest_angle_change_deg": 0.25, "stage_time_limit_s": 6.0
     },
     "measure": { "window": [0.1, 0.7] }
   })");

@@ -41,6 +41,7 @@ TEST(SceneReader, ReadsEveryValueInSiUnits) {
   EXPECT_EQ(scene.test.base_height, 0.04);
   EXPECT_EQ(scene.test.cylinder_radius, 0.05);
   EXPECT_EQ(scene.test.cylinder_height, 0.3);
+  EXPECT_EQ(scene.test.filling, Filling::rain);
   EXPECT_EQ(scene.test.pour_rate, 4.0);
   EXPECT_EQ(scene.test.pour_speed, 1.5);
   EXPECT_EQ(scene.test.opening_speed, 0.5);
@@ -49,6 +50,7 @@ TEST(SceneReader, ReadsEveryValueInSiUnits) {
   EXPECT_EQ(scene.numerics.stiffness_scale, 0.5);
   EXPECT_EQ(scene.numerics.settle_energy_ratio, 2e-4);
   EXPECT_EQ(scene.numerics.rest_energy_ratio, 3e-5);
+  EXPECT_EQ(scene.numerics.rest_angle_change, radians(0.25));
   EXPECT_EQ(scene.numerics.stage_time_limit, 6.0);
   EXPECT_EQ(scene.measure.window_low, 0.1);
   EXPECT_EQ(scene.measure.window_high, 0.7);
@@ -59,7 +61,7 @@ TEST(SceneReader, LeavesTheDefaultsOfTheSceneWhereACaseIsSilent) {
     "title": null, "numerics": null, "measure": null,
     "contact": {"rolling_model": null, "tangential_history": null, "normal_damping": null,
                 "rolling_damping_ratio": null, "rolling_torque": null},
-    "test": {"base": {"height_mm": null}, "pour_rate_kg_s": null, "pour_speed_m_s": null,
+    "test": {"base": {"height_mm": null}, "filling": null, "pour_rate_kg_s": null, "pour_speed_m_s": null,
              "opening_speed_m_s": null}})");
   EXPECT_EQ(scene.title, "");
   EXPECT_EQ(scene.contact.rolling_model, RollingModel::type_a);
@@ -69,6 +71,7 @@ TEST(SceneReader, LeavesTheDefaultsOfTheSceneWhereACaseIsSilent) {
   EXPECT_EQ(scene.contact.rolling_torque, RollingTorque::limited);
   EXPECT_EQ(scene.numerics.integrator, Integrator::symplectic_euler);
   EXPECT_EQ(scene.test.base_height, 0.05);
+  EXPECT_EQ(scene.test.filling, Filling::pour);
   EXPECT_EQ(scene.test.pour_rate, 5.0);
   EXPECT_EQ(scene.test.pour_speed, 1.0);
   EXPECT_EQ(scene.test.opening_speed, 1.0);
@@ -76,6 +79,7 @@ TEST(SceneReader, LeavesTheDefaultsOfTheSceneWhereACaseIsSilent) {
   EXPECT_EQ(scene.numerics.stiffness_scale, 1.0);
   EXPECT_EQ(scene.numerics.settle_energy_ratio, 1e-4);
   EXPECT_EQ(scene.numerics.rest_energy_ratio, 1e-5);
+  EXPECT_FALSE(scene.numerics.rest_angle_change.has_value());
   EXPECT_EQ(scene.numerics.stage_time_limit, 5.0);
   EXPECT_EQ(scene.measure.window_low, 0.2);
   EXPECT_EQ(scene.measure.window_high, 0.8);
@@ -116,6 +120,40 @@ TEST(SceneReader, TakesTheLimitsOfClosedRanges) {
   EXPECT_EQ(scene.contact.particle_wall.restitution, 1.0);
   EXPECT_EQ(scene.contact.particle_wall.static_friction, 3.0);
   EXPECT_EQ(scene.test.cylinder_radius, scene.test.base_radius);
+}
+
+/// Every member of a coarse-grained scene follows from a length's factor k: lengths k, volumes k³, moments of
+/// density 1 k⁵; the mass stays.
+void expect_grown(const Scene& fine, const Scene& coarse, double k) {
+  ASSERT_EQ(coarse.particles.shapes.size(), fine.particles.shapes.size());
+  for (std::size_t s = 0; s < fine.particles.shapes.size(); ++s) {
+    const Clump &before = fine.particles.shapes[s], &after = coarse.particles.shapes[s];
+    EXPECT_NEAR(after.volume / before.volume, std::pow(k, 3), 1e-12);
+    for (int axis = 0; axis < 3; ++axis)
+      EXPECT_NEAR(after.inertia[axis] / before.inertia[axis], std::pow(k, 5), 1e-12);
+    ASSERT_EQ(after.spheres.size(), before.spheres.size());
+    for (std::size_t i = 0; i < before.spheres.size(); ++i) {
+      EXPECT_NEAR(after.spheres[i].radius, k * before.spheres[i].radius, 1e-15);
+      EXPECT_LT((after.spheres[i].centre - k * before.spheres[i].centre).norm(), 1e-15);
+    }
+  }
+  for (std::size_t c = 0; c < fine.particles.size_classes.size(); ++c) {
+    const SizeClass &before = fine.particles.size_classes[c], &after = coarse.particles.size_classes[c];
+    EXPECT_NEAR(after.volume_min / before.volume_min, std::pow(k, 3), 1e-12);
+    EXPECT_NEAR(after.volume_max / before.volume_max, std::pow(k, 3), 1e-12);
+    EXPECT_EQ(after.number_fraction, before.number_fraction);
+  }
+  EXPECT_EQ(coarse.particles.total_mass, fine.particles.total_mass);
+}
+
+TEST(SceneReader, CoarseGrainingScalesSphereClassesAndClumps) {
+  const std::string shapes = R"("shapes": [{"clump": "cases/shapes/particle_13.json"}])";
+  const std::string own_size = R"("size_classes": null, )";
+  for (const std::string& particles : {std::string(), shapes, own_size + shapes})
+    expect_grown(scene_of(R"({"particles": {)" + particles + "}}"),
+                 scene_of(R"({"particles": {)" + particles + (particles.empty() ? "" : ", ") +
+                          R"("coarse_graining": 1.5}})"),
+                 1.5);
 }
 
 TEST(SceneReader, DoesNotLookIntoTheSweep) {

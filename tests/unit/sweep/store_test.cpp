@@ -192,7 +192,7 @@ TEST_F(StoreTest, RefusesADatabaseOfSomethingElse) {
 TEST_F(StoreTest, RefusesAStudyOfANewerVersion) {
   Store::open_or_create(study());
   Database(file(), Database::Mode::write).execute("PRAGMA user_version = 99");
-  EXPECT_EQ(refusal(), "study.sqlite: was written by a newer version of the program (schema 99, known: 2)");
+  EXPECT_EQ(refusal(), "study.sqlite: was written by a newer version of the program (schema 99, known: 3)");
 }
 
 TEST_F(StoreTest, GivesAStudyOfAnOlderVersionTheColumnsItLacksAndKeepsItsRuns) {
@@ -203,7 +203,7 @@ TEST_F(StoreTest, GivesAStudyOfAnOlderVersionTheColumnsItLacksAndKeepsItsRuns) {
   {
     Database database(file(), Database::Mode::write);
     for (const char* column : {"warnings", "warning_details", "mass_lost_kg", "reaches_edge",
-                               "energy_imbalance", "column_overlap_ratio", "stability_number"})
+                               "energy_imbalance", "column_overlap_ratio", "stability_number", "variant"})
       database.execute(std::string("ALTER TABLE runs DROP COLUMN ") + column);
     database.execute("PRAGMA user_version = 1");
   }
@@ -212,7 +212,7 @@ TEST_F(StoreTest, GivesAStudyOfAnOlderVersionTheColumnsItLacksAndKeepsItsRuns) {
   EXPECT_TRUE(same_columns(store.runs()[0], old));
   EXPECT_EQ(store.put(run_of("new")), Store::Put::stored);
   EXPECT_EQ(Store::open(study()).runs().size(), 2U);
-  EXPECT_EQ(Database(file(), Database::Mode::read).integer("PRAGMA user_version"), 2);
+  EXPECT_EQ(Database(file(), Database::Mode::read).integer("PRAGMA user_version"), 3);
 }
 
 TEST(CountWarnings, SplitsWhatARunCarriesAndKeepsTheFirstText) {

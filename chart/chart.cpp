@@ -1,0 +1,122 @@
+#include "chart/chart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+#include "sweep/study.hpp"
+
+namespace repose::chart {
+
+namespace {
+
+using RunsByKey = std::map<std::string, sweep::StoredRun>;
+
+Sample sample_of(const sweep::StoredRun& run) {
+  return {run.outcome,
+          run.reason,
+          run.angle_deg.value_or(0.0),
+          run.bulk_density_kg_m3.value_or(0.0),
+          run.mass_on_base_kg.value_or(0.0),
+          run.cpu_s.value_or(0.0)};
+}
+
+/// The runs of one rung. A run is found by its key, because two rungs can be the same test.
+Samples samples_of(const sweep::Plan& plan, std::size_t rung, const RunsByKey& runs) {
+  Samples samples;
+  for (const sweep::PlannedPoint& point : plan.points) {
+    if (point.rung != rung) continue;
+    std::vector<Sample>& set = samples.emplace_back();
+    for (int replicate = 1; replicate <= plan.design.replicates; ++replicate) {
+      const auto found = runs.find(run_key(point.scene, seed_of(plan.design, point.values, replicate)));
+      if (found == runs.end()) throw std::runtime_error("a run of the chart is missing in its study");
+      set.push_back(sample_of(found->second));
+    }
+  }
+  return samples;
+}
+
+std::string words_of(const std::vector<std::string>& names, const std::vector<double>& values) {
+  std::string text;
+  for (std::size_t f = 0; f < names.size(); ++f)
+    text += fmt::format("{}{} = {:g}", f == 0 ? "" : ", ", names[f], values[f]);
+  return text;
+}
+
+/// What a variant sets, with paths that can be found from anywhere.
+sweep::Variant anywhere(sweep::Variant variant, const CaseDocument& document) {
+  for (sweep::Override& override : variant.set) override.value = with_absolute_paths(document, override);
+  return variant;
+}
+
+void add_reference(Chart& chart, const Samples& reference) {
+  chart.reference_outcomes = outcomes_of(reference);
+  chart.reference_cpu = mean_cpu(reference);
+  if (const Sample* failure = first_failure(reference)) {
+    chart.reference_failure = fmt::format("{}: {}", failure->outcome, failure->reason);
+    return;
+  }
+  Differences angles;
+  for (const std::vector<Sample>& set : reference) {
+    std::vector<double>& row = angles.emplace_back();
+    for (const Sample& sample : set) row.push_back(sample.angle);
+  }
+  chart.reference_angle = judge(angles).by_set;
+  chart.scatter = scatter_of_angle(reference);
+}
+
+}  // namespace
+
+Chart read_chart(const std::filesystem::path& folder) {
+  const sweep::Study study = sweep::open_study(folder);
+  const sweep::Plan plan = sweep::make_plan(study.document);
+  RunsByKey runs;
+  for (sweep::StoredRun& run : study.store.runs()) runs.emplace(run.run_key, std::move(run));
+
+  const sweep::Ladder& ladder = plan.design.ladder;
+  Chart chart;
+  chart.title = plan.points.front().scene.title;
+  for (const std::vector<double>& values : ladder.frictions)
+    chart.frictions.push_back(words_of(ladder.friction_names, values));
+  chart.replicates = ladder.replicates;
+  chart.reference_variant = anywhere(ladder.reference, study.document);
+  for (const sweep::Variant& rung : ladder.rungs) chart.variants.push_back(anywhere(rung, study.document));
+  const Samples reference = samples_of(plan, 0, runs);
+  add_reference(chart, reference);
+  if (!chart.has_reference()) return chart;
+  for (std::size_t rung = 1; rung <= ladder.rungs.size(); ++rung) {
+    const Samples samples = samples_of(plan, rung, runs);
+    chart.rungs.push_back(compare(ladder.rungs[rung - 1].name, samples, reference));
+    chart.differences.push_back(chart.rungs.back().completed ? angle_differences(samples, reference)
+                                                             : Differences{});
+  }
+  mark_front(chart.rungs, chart.reference_cpu);
+  return chart;
+}
+
+std::vector<Candidate> candidates_of(const Chart& chart) {
+  std::vector<Candidate> candidates;
+  for (std::size_t rung = 0; rung < chart.rungs.size(); ++rung) {
+    const Comparison& comparison = chart.rungs[rung];
+    if (!comparison.completed || !(comparison.cpu < chart.reference_cpu)) continue;
+    Candidate candidate{comparison.name, {}, chart.differences[rung], comparison.cpu / chart.reference_cpu};
+    for (const sweep::Override& override : chart.variants[rung].set)
+      candidate.pointers.push_back(override.pointer);
+    candidates.push_back(std::move(candidate));
+  }
+  return candidates;
+}
+
+sweep::Variant variant_of(const Combination& combination, const std::vector<Candidate>& candidates,
+                          const Chart& chart) {
+  sweep::Variant variant{name_of(combination, candidates), {}};
+  for (const std::size_t index : combination.rungs) {
+    const auto rung = std::ranges::find(chart.variants, candidates[index].name, &sweep::Variant::name);
+    variant.set.insert(variant.set.end(), rung->set.begin(), rung->set.end());
+  }
+  return variant;
+}
+
+}  // namespace repose::chart

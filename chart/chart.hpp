@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "chart/choice.hpp"
+#include "chart/comparison.hpp"
+#include "sweep/plan.hpp"
+
+namespace repose::chart {
+
+/// A ladder whose runs are made, read and compared.
+struct Chart {
+  std::string title;
+  std::vector<std::string> frictions;  ///< "mu_r = 0.05, mu_s = 0.2"
+  int replicates = 0;
+  sweep::Variant reference_variant;
+  std::vector<sweep::Variant> variants;  ///< of the rungs
+  /// Of the reference: the mean angle of each set of frictions, empty where a run did not complete.
+  std::vector<Estimate> reference_angle;
+  std::map<std::string, int> reference_outcomes;
+  std::string reference_failure;         ///< reason of its first run that did not complete, or empty
+  double reference_cpu = 0.0;            ///< mean of a run [s]
+  double scatter = 0.0;                  ///< of the reference's angle from run to run [degrees]
+  std::vector<Comparison> rungs;         ///< in the order of the ladder
+  std::vector<Differences> differences;  ///< of their angles; empty where a run did not complete
+
+  [[nodiscard]] bool has_reference() const { return !reference_angle.empty(); }
+};
+
+/// Reads the runs of a chart from the folder of its study. Throws InputError as open_study() and make_plan()
+/// do, and std::runtime_error where a run is missing.
+Chart read_chart(const std::filesystem::path& folder);
+
+/// The rungs that a combination may be made of.
+std::vector<Candidate> candidates_of(const Chart& chart);
+
+/// A combination as a rung of its own.
+sweep::Variant variant_of(const Combination& combination, const std::vector<Candidate>& candidates,
+                          const Chart& chart);
+
+}  // namespace repose::chart

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "chart/differences.hpp"
+
+namespace repose::chart {
+
+/// One run, as far as a chart looks at it.
+struct Sample {
+  std::string outcome;  ///< name_of(Outcome)
+  std::string reason;
+  double angle = 0.0;    ///< [degrees]
+  double density = 0.0;  ///< of the column [kg/m³]
+  double mass = 0.0;     ///< on the base [kg]
+  double cpu = 0.0;      ///< [s]
+
+  [[nodiscard]] bool completed() const { return outcome == "completed"; }
+};
+
+/// Runs of one test: one row a set of frictions, one entry a replicate.
+using Samples = std::vector<std::vector<Sample>>;
+
+/// The first run that did not complete, if any.
+const Sample* first_failure(const Samples& samples);
+/// How many runs ended how.
+std::map<std::string, int> outcomes_of(const Samples& samples);
+/// Mean CPU time of a run [s].
+double mean_cpu(const Samples& samples);
+/// Standard deviation of the angle from run to run, within the sets [degrees]. All runs are completed.
+double scatter_of_angle(const Samples& samples);
+/// Angle of the one minus that of the other, run by run [degrees]. All runs are completed.
+Differences angle_differences(const Samples& test, const Samples& reference);
+
+/// A rung against the reference. Of a rung with a run that did not complete only name, outcomes, reason and
+/// cost are filled.
+struct Comparison {
+  std::string name;
+  std::map<std::string, int> outcomes;
+  std::string reason;  ///< of the first run that did not complete; empty where all did
+  bool completed = false;
+  double cpu = 0.0;       ///< mean of a run [s]
+  double speed_up = 0.0;  ///< cost of the reference over this
+  Judgement angle;        ///< [degrees]
+  Estimate density;       ///< relative difference of the column's density [%]
+  Estimate mass;          ///< relative difference of the mass on the base [%]
+  bool on_front = false;  ///< no other rung, nor the reference, is both cheaper and nearer
+};
+
+/// Requires that all runs of the reference completed and both have the same sets and replicates.
+Comparison compare(const std::string& name, const Samples& test, const Samples& reference);
+
+/// Marks the Pareto front of cost against error. The reference, of cost `reference_cpu` and error 0, takes
+/// part.
+void mark_front(std::vector<Comparison>& rungs, double reference_cpu);
+
+}  // namespace repose::chart

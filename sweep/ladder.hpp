@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/base/input_error.hpp"
+#include "engine/scene/case_document.hpp"
+
+namespace repose::sweep {
+
+/// One value that a rung sets in the case.
+struct Override {
+  std::string pointer;  ///< of the case
+  CaseDocument::Json value;
+  std::string place;  ///< pointer to where the case says so
+};
+
+/// The case with some values of its own.
+struct Variant {
+  std::string name;
+  std::vector<Override> set;
+};
+
+/// What /chart of a case says, checked: simplifications that are compared with a reference.
+struct Ladder {
+  Variant reference;           ///< the case itself where it sets nothing
+  std::vector<Variant> rungs;  ///< each is set on top of the reference
+  std::vector<std::string> friction_names;
+  std::vector<std::vector<double>> frictions;  ///< one entry a set, in the order of the names
+  int replicates = 5;
+  std::uint64_t seed = 1;
+};
+
+/// Name of the reference among the variants.
+inline constexpr const char* kReference = "reference";
+
+/// Reads /chart of a case:
+///
+///     "reference": {"/numerics/time_step_fraction": 0.1}        may be left out
+///     "rungs": [{"name": "soft", "set": {"/numerics/stiffness_scale": 0.01}}, …]
+///     "frictions": [{"mu_s": 0.2, "mu_r": 0.05}, …]             all of the same factors
+///     "replicates": 5, "seed": 1                                these are the defaults
+///
+/// @param faults  takes every fault found; the ladder returned is of use only if none was added
+Ladder read_ladder(const CaseDocument& document, Faults& faults);
+
+/// Pointers to every path of a shape's file in a case, those of its ladder as well.
+std::vector<std::string> shape_paths(const CaseDocument& document);
+
+/// The value of an override with its paths made absolute, so that it may be set in any document.
+CaseDocument::Json with_absolute_paths(const CaseDocument& document, const Override& override);
+
+}  // namespace repose::sweep

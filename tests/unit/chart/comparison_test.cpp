@@ -1,0 +1,63 @@
+#include "chart/comparison.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace repose::chart {
+namespace {
+
+/// Two sets of two runs: angles 30, 31 and 40, 41, changed by `more` everywhere.
+Samples samples(double more = 0.0, double cpu = 10.0, double density = 1500.0) {
+  const auto run = [&](double angle) { return Sample{"completed", "", angle + more, density, 2.0, cpu}; };
+  return {{run(30.0), run(31.0)}, {run(40.0), run(41.0)}};
+}
+
+TEST(Compare, TakesDifferencesRunByRun) {
+  const Comparison rung = compare("soft", samples(0.5, 2.0, 1530.0), samples());
+  ASSERT_TRUE(rung.completed);
+  EXPECT_DOUBLE_EQ(rung.speed_up, 5.0);
+  // The same difference in every run: the scatter of the angles does not show.
+  EXPECT_NEAR(rung.angle.mean.value, 0.5, 1e-12);
+  EXPECT_NEAR(rung.angle.mean.standard_error, 0.0, 1e-12);
+  EXPECT_NEAR(rung.density.value, 2.0, 1e-10);
+  EXPECT_NEAR(rung.mass.value, 0.0, 1e-12);
+}
+
+TEST(Compare, NamesTheOutcomesOfARungThatFails) {
+  Samples broken = samples();
+  broken[1][0].outcome = "unstable";
+  broken[1][0].reason = "the step is too large";
+  const Comparison rung = compare("coarse", broken, samples());
+  EXPECT_FALSE(rung.completed);
+  EXPECT_EQ(rung.outcomes.at("unstable"), 1);
+  EXPECT_EQ(rung.outcomes.at("completed"), 3);
+  EXPECT_EQ(rung.reason, "the step is too large");
+}
+
+TEST(Scatter, IsThatOfOneRunWithinItsSet) {
+  // 30, 31 and 40, 41: s² = ½ in both sets; the distance of the sets does not count.
+  EXPECT_NEAR(scatter_of_angle(samples()), std::sqrt(0.5), 1e-12);
+}
+
+TEST(MarkFront, KeepsWhatNothingBeatsInBoth) {
+  const auto rung = [](const char* name, double error, double cpu, bool completed = true) {
+    Comparison comparison = compare(name, samples(error, cpu), samples());
+    comparison.completed = completed;
+    return comparison;
+  };
+  std::vector<Comparison> rungs = {rung("a", 0.1, 8.0),
+                                   rung("b", 0.5, 4.0),
+                                   rung("c", 0.6, 5.0),
+                                   rung("d", -0.2, 4.5),
+                                   rung("fast but failed", 0.0, 1.0, false),
+                                   rung("dear", 0.0, 11.0)};
+  mark_front(rungs, 10.0);
+  std::string front;
+  for (const Comparison& one : rungs)
+    if (one.on_front) front += one.name + " ";
+  EXPECT_EQ(front, "a b d ");
+}
+
+}  // namespace
+}  // namespace repose::chart

@@ -1,0 +1,81 @@
+#include "tools/program/chart_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tools/program/sweep_runner.hpp"
+
+namespace repose::program {
+
+namespace {
+
+std::string padded(const std::string& text, std::size_t width) {
+  const auto letters = static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+  return text + std::string(letters < width ? width - letters : 0, ' ');
+}
+
+std::string signed_estimate(const chart::Estimate& estimate, int digits) {
+  return fmt::format("{:+.{}f} ± {:.{}f}", estimate.value, digits, estimate.standard_error, digits);
+}
+
+std::string line_of(const chart::Chart& chart, const chart::Comparison& rung, std::size_t width) {
+  const chart::Judgement& angle = rung.angle;
+  return fmt::format(
+      "{} {:9.3g} {:8.2f}  {}  {}  {:5.2f}{}  {}  {}  {}\n", padded(rung.name, width), rung.cpu,
+      rung.speed_up, padded(signed_estimate(angle.mean, 2), 13), padded(signed_estimate(angle.worst, 2), 13),
+      angle.bound_95, angle.depends_on_friction ? "*" : " ", padded(signed_estimate(rung.density, 1), 11),
+      padded(signed_estimate(rung.mass, 1), 11),
+      (rung.on_front ? "front " : "") +
+          (chart.frictions.size() > 1 ? "worst at " + chart.frictions[angle.worst_at] : std::string()));
+}
+
+}  // namespace
+
+std::string in_words(const chart::Chart& chart) {
+  std::size_t width = 9;
+  std::vector<const chart::Comparison*> order;
+  for (const chart::Comparison& rung : chart.rungs) {
+    width = std::max(width, rung.name.size());
+    if (rung.completed) order.push_back(&rung);
+  }
+  std::ranges::stable_sort(order, [](const auto* a, const auto* b) { return a->cpu > b->cpu; });
+  std::string text =
+      fmt::format("{} {:>9} {:>8}  {}  {}  {}  {}  {}\n{} {:9.3g} {:8.2f}  scatter of one run {:.2f}°\n",
+                  padded("rung", width), "CPU s", "speed-up", padded("angle diff. °", 13),
+                  padded("worst °", 13), "<95 % ", padded("density %", 11), padded("mass %", 11),
+                  padded("reference", width), chart.reference_cpu, 1.0, chart.scatter);
+  bool any_dependence = false;
+  for (const chart::Comparison* rung : order) {
+    text += line_of(chart, *rung, width);
+    any_dependence = any_dependence || rung->angle.depends_on_friction;
+  }
+  text += "<95 %: the error is below this with 95 % confidence";
+  if (any_dependence)
+    text += "; * depends on the frictions (F test, 25 % level): bound of the worst set, else of the mean";
+  text += "\n";
+  for (const chart::Comparison& rung : chart.rungs)
+    if (!rung.completed)
+      text += fmt::format("{}: not completed ({}): {}\n", rung.name, in_words(rung.outcomes), rung.reason);
+  if (chart.frictions.size() < 3)
+    text += fmt::format(
+        "only {} of frictions: the error of a simplification can depend on them, three and more are "
+        "advised\n",
+        chart.frictions.size() == 1 ? "one set" : "two sets");
+  return text;
+}
+
+std::string in_words(const chart::Comparison& rung) {
+  if (!rung.completed) return fmt::format("not completed ({}): {}", in_words(rung.outcomes), rung.reason);
+  return fmt::format("{:.2f}° ± {:.2f}° off (below {:.2f}° with 95 % confidence), {:.3g} times cheaper",
+                     rung.angle.error.value, rung.angle.error.standard_error, rung.angle.bound_95,
+                     rung.speed_up);
+}
+
+std::string reference_failed(const chart::Chart& chart) {
+  return fmt::format("the reference did not complete ({}): there is nothing to compare with; {}",
+                     in_words(chart.reference_outcomes), chart.reference_failure);
+}
+
+}  // namespace repose::program
