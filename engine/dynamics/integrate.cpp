@@ -75,11 +75,12 @@ REPOSE_INLINE Axes axes_of(const Rotor& q) {
 }
 
 /// Rolling resistance of type_a on the angular momentum l in the body's frame. Adds what it takes of the
-/// rotation's energy to `taken_energy`: of the change of ½ l·ω over the step, from l_before by the contacts'
-/// torque to l and on to what is left, its part is (l − left)·½(ω_before + ω_left).
-REPOSE_INLINE Triple<T> resist_rolling(const Triple<T>& l, const Triple<T>& l_before,
-                                       const Triple<T>& inverse, const T& impulse, const MotionStep& step,
-                                       T& taken_energy) {
+/// rotation's energy to `taken_energy`: ½ l·ω after the contacts' torque less what is left. Booked between
+/// the velocities before and after the step instead, as a leapfrog would have it, the imbalance of 0.1 kg of
+/// spheres at 0.3 T_R went from +3 % to −14 % (μr = 0.5): contacts book their work as if nothing but they
+/// turned the body.
+REPOSE_INLINE Triple<T> resist_rolling(const Triple<T>& l, const Triple<T>& inverse, const T& impulse,
+                                       const MotionStep& step, T& taken_energy) {
   const Triple<T> w{inverse.x * l.x, inverse.y * l.y, inverse.z * l.z};
   const T momentum = length(l);
   const T spin_squared = dot(w, w);
@@ -99,9 +100,8 @@ REPOSE_INLINE Triple<T> resist_rolling(const Triple<T>& l, const Triple<T>& l_be
   const Triple<T> left{select(stops, zero, T(l.x - taken * w.x)), select(stops, zero, T(l.y - taken * w.y)),
                        select(stops, zero, T(l.z - taken * w.z))};
   if (step.booked) {
-    const Triple<T> w_sum{inverse.x * (l_before.x + left.x), inverse.y * (l_before.y + left.y),
-                          inverse.z * (l_before.z + left.z)};
-    taken_energy += 0.5 * dot(l - left, w_sum);
+    const Triple<T> w_left{inverse.x * left.x, inverse.y * left.y, inverse.z * left.z};
+    taken_energy += 0.5 * (dot(l, w) - dot(left, w_left));
   }
   return left;
 }
@@ -141,7 +141,7 @@ void store_momentum(const Triple<T>& L, Bodies& bodies, std::size_t first) {
 REPOSE_INLINE void resist(const Axes& axes, const Triple<T>& inverse, const Twist& twist,
                           const MotionStep& step, Triple<T>& L, Triple<T>& l, T& taken_energy) {
   if (!stdx::any_of(twist.impulse > 0.0)) return;
-  l = resist_rolling(l, to_body(axes, twist.momentum), inverse, twist.impulse, step, taken_energy);
+  l = resist_rolling(l, inverse, twist.impulse, step, taken_energy);
   L = select3(twist.impulse > 0.0, to_world(axes, l), L);
 }
 
@@ -156,7 +156,7 @@ REPOSE_INLINE Triple<T> rotate(Bodies& bodies, std::size_t first, const Twist& t
                           load(bodies.inverse_i3, first)};
   Triple<T> L = twist.momentum + T(dt) * twist.torque;
   if (!bodies.oriented) {  // a single sphere has one moment and no visible orientation
-    L = resist_rolling(L, twist.momentum, inverse, twist.impulse, step, taken_energy);
+    L = resist_rolling(L, inverse, twist.impulse, step, taken_energy);
     store_momentum(L, bodies, first);
     return inverse.x * L;
   }

@@ -86,16 +86,16 @@ TEST(TangentialForce, NeverExceedsTheLimitNorPullsAlongTheMotionWhileSliding) {
     const ContactMaterial material = random_material(random, RollingModel::type_a);
     const RandomContact contact = random_contact(random, material);
     EngineContact<double> c = engine_contact(contact, RollingModel::type_a);
-    const ContactForces<double> f =
-        contact_forces<RollingModel::type_a>(law_of(material), c.geometry, c.i, c.j, {1e-7}, c.history);
+    const ContactForces<double> f = contact_forces<RollingModel::type_a>(
+        law_of(material), c.geometry, relative_motion(c.geometry.n, c.i, c.j), {1e-7}, c.history);
     const Vec3 tangent = reference::tangent_part(vec3(f.force), contact.contact.n);
     const double limit = material.friction * std::abs(f.F_n);
     EXPECT_LE(tangent.norm(), limit * (1.0 + 1e-9) + 1e-12 * std::abs(f.F_n));
     // A sliding contact without a spring of its own resists the motion.
     c = engine_contact(contact, RollingModel::type_a);
     c.history.tangential = {};
-    const ContactForces<double> fresh =
-        contact_forces<RollingModel::type_a>(law_of(material), c.geometry, c.i, c.j, {1e-7}, c.history);
+    const ContactForces<double> fresh = contact_forces<RollingModel::type_a>(
+        law_of(material), c.geometry, relative_motion(c.geometry.n, c.i, c.j), {1e-7}, c.history);
     const Vec3 v =
         reference::tangent_part(contact.i.at_contact() - contact.j.at_contact(), contact.contact.n);
     const Vec3 held = reference::tangent_part(vec3(fresh.force), contact.contact.n);
