@@ -119,15 +119,19 @@ REPOSE_INLINE ContactForces<SimdReal> second_of(const ContactForces<Twin>& f) {
 struct PowerSum {
   SimdReal normal_damping = 0.0, tangential_damping = 0.0, spring = 0.0, rolling = 0.0, wall = 0.0;
 
-  REPOSE_INLINE void add(const ContactPower<SimdReal>& power, const SimdReal& of_wall, std::size_t lanes) {
-    SimdReal real = 1.0;
-    if (lanes < kSimdWidth)  // the others repeat a contact
-      for (std::size_t lane = lanes; lane < kSimdWidth; ++lane) real[lane] = 0.0;
-    normal_damping += real * power.normal_damping;
-    tangential_damping += real * power.tangential_damping;
-    spring += real * power.spring;
-    rolling += real * power.rolling;
-    wall += real * of_wall;
+  REPOSE_INLINE void add(const ContactPower<SimdReal>& power, std::size_t lanes) {
+    normal_damping += real(power.normal_damping, lanes);
+    tangential_damping += real(power.tangential_damping, lanes);
+    spring += real(power.spring, lanes);
+    rolling += real(power.rolling, lanes);
+  }
+  REPOSE_INLINE void add_wall(const SimdReal& power, std::size_t lanes) { wall += real(power, lanes); }
+  /// Lanes beyond `lanes` repeat a contact and count for nothing.
+  REPOSE_INLINE static SimdReal real(const SimdReal& power, std::size_t lanes) {
+    if (lanes == kSimdWidth) return power;
+    SimdReal counted = power;
+    for (std::size_t lane = lanes; lane < kSimdWidth; ++lane) counted[lane] = 0.0;
+    return counted;
   }
   [[nodiscard]] ContactWork work(double dt) const {
     return {dt * stdx::reduce(normal_damping), dt * stdx::reduce(tangential_damping),

@@ -97,7 +97,7 @@ REPOSE_INLINE void keep(const ContactForces<SimdReal>& f, const ContactHistory<S
                         std::size_t first, PairBlock& block, PowerSum& sum) {
   const std::size_t lanes = std::min(kSimdWidth, touching.count - first);
   store_history(history, list.pairs, touching.history.data() + first, lanes, rolls);
-  if (step.booked) sum.add(f.power, SimdReal(0.0), lanes);
+  if (step.booked) sum.add(f.power, lanes);
   block.force = f.force, block.rolling_torque = f.rolling_torque, block.F_n = f.F_n;
 }
 

@@ -91,7 +91,10 @@ REPOSE_INLINE void wall_block(const ForceStep& step, Bodies& bodies, ContactList
   ContactHistory<SimdReal> history = load_history(list.wall_contacts, at_history, kSpring);
   const ContactForces<SimdReal> f = contact_forces<kModel>(step.wall_law, contact, motion, timing, history);
   store_history(history, list.wall_contacts, at_history, lanes, kSpring);
-  if (step.booked) sum.add(f.power, dot(f.force, v_wall), lanes);
+  if (step.booked) {
+    sum.add(f.power, lanes);
+    sum.add_wall(dot(f.force, v_wall), lanes);
+  }
   SimdReal resist = 0.0;
   if constexpr (kModel == RollingModel::type_a)
     resist = step.wall_law.rolling * absolute(f.F_n) * length(arm);

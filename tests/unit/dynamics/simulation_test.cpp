@@ -177,5 +177,45 @@ TEST(Simulation, DoesNotDependOnWhatItHeldBefore) {
   }
 }
 
+TEST(Simulation, LooksForContactsSeldomWhereNothingMoves) {
+  // Spheres that have come to rest on the floor: a look every step would be 20000, one for each sphere that
+  // settles from the last 0.1 mm/s on some dozens.
+  const Scene scene = scene_of({sphere_clump(4e-3)}, kGlass, {0.3, 0.5, 0.1}, RollingModel::type_c);
+  Simulation simulation(scene, 1e-5);
+  simulation.walls = {floor_wall()};
+  NewBody body;
+  for (int k = 0; k < 9; ++k) {
+    body.position = {0.0081 * (k % 3), 0.0081 * (k / 3), 0.0041};
+    simulation.add(body);
+  }
+  for (int k = 0; k < 20000; ++k) simulation.step();
+  const long looks = simulation.contacts().looks(), updates = simulation.contacts().updates();
+  for (int k = 0; k < 20000; ++k) simulation.step();
+  EXPECT_LT(simulation.contacts().looks() - looks, 200);
+  EXPECT_LT(simulation.contacts().updates() - updates, 20);
+}
+
+TEST(BitRow, SetsRangesAcrossItsWords) {
+  RandomStream random(3, 9);
+  BitRow row;
+  std::vector<bool> plain;
+  for (std::size_t k = 0; k < 300; ++k) {
+    const bool bit = random.uniform() < 0.5;
+    row.push(k, bit);
+    plain.push_back(bit);
+  }
+  for (int trial = 0; trial < 2000; ++trial) {
+    const auto n = static_cast<std::size_t>(1 + random.below(32));
+    const auto first = static_cast<std::size_t>(random.below(300 - n));
+    std::uint64_t bits = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      plain[first + k] = random.uniform() < 0.5;
+      bits |= std::uint64_t{plain[first + k]} << k;
+    }
+    row.assign(first, n, bits | (std::uint64_t{1} << 40));
+    for (std::size_t k = 0; k < 300; ++k) ASSERT_EQ(row[k], plain[k]) << trial << " " << k;
+  }
+}
+
 }  // namespace
 }  // namespace repose::test

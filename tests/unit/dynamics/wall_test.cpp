@@ -126,5 +126,33 @@ TEST(WallDistance, IsFiniteOnTheAxisAndOnTheSurface) {
   }
 }
 
+/// Without tolerance: both say the same but where rounding decides, 1e-12 m on either side of the reach.
+TEST(WithinReach, SaysWhatTheDistanceSays) {
+  RandomStream random(11, 4);
+  int near = 0;
+  for (int k = 0; k < 20000; ++k) {
+    Wall wall;
+    wall.kind = static_cast<Wall::Kind>(k % 5);
+    wall.radius = kRadius;
+    wall.z_low = wall.kind == Wall::Kind::base ? -0.02 : 0.0;
+    wall.z_high = 0.1;
+    wall.x_offset = wall.kind == Wall::Kind::base ? 0.0 : random.uniform(-0.01, 0.01);
+    const Vec3 point(random.uniform(-0.08, 0.08), random.uniform(-0.08, 0.08), random.uniform(-0.03, 0.1));
+    const double reach = random.uniform(0.0, 0.07), distance = distance_to(wall, point).distance;
+    if (std::abs(distance - reach) < 1e-12) continue;
+    EXPECT_EQ(within_reach(wall, point, reach), distance < reach) << k;
+    near += distance < reach ? 1 : 0;
+  }
+  EXPECT_GT(near, 2000);
+}
+
+TEST(WithinReach, OfAClosedShellGoesOnAboveItsRim) {
+  const Wall shell{Wall::Kind::closed_shell, kRadius, 0.0, 0.1, 0.0};
+  const Vec3 above(kRadius - 1e-3, 0.0, 0.3);
+  EXPECT_FALSE(distance_to(shell, above).distance < 2e-3);
+  EXPECT_TRUE(within_reach(shell, above, 2e-3));
+  EXPECT_FALSE(within_reach(shell, above, 0.5e-3));
+}
+
 }  // namespace
 }  // namespace repose
