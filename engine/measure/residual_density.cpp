@@ -41,7 +41,12 @@ std::vector<double> histogram(const std::vector<double>& values, const std::vect
 
 ResidualDensity::ResidualDensity(const std::vector<double>& residuals, const std::vector<double>& weights,
                                  double bandwidth) {
+  // Tops that lie in one line but for a few far from it have no width of their own: the cells of the whole
+  // range must still fit into memory.
+  constexpr double kMostCells = 1e5, kNarrowest = 1e-12;  // [-], [m]
   const auto [least, most] = std::minmax_element(residuals.begin(), residuals.end());
+  bandwidth = std::max(
+      {bandwidth, static_cast<double>(kCellsPerBandwidth) * (*most - *least) / kMostCells, kNarrowest});
   step_ = bandwidth / static_cast<double>(kCellsPerBandwidth);
   low_ = *least - static_cast<double>(kReach + 1) * step_;
   const auto cells = static_cast<std::size_t>((*most - low_) / step_) + kReach + 3;
