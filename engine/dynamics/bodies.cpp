@@ -51,6 +51,7 @@ std::size_t Bodies::add(const NewBody& body) {
     for (int row = 0; row < 3; ++row) axes[i].column[column][row] = axes_of_body(row, column);
 
   for (int k = 0; k < 3; ++k) axes[i].position[k] = body.position[k];
+  axes[i].position[3] = s;
 
   motion[i] = {};
   for (int k = 0; k < 3; ++k) {

@@ -37,10 +37,10 @@ struct alignas(64) BodyLoad {
 };
 
 /// Where a body's spheres are: the world axes of its principal frame, one column a row of four, and its
-/// centre of mass, so that an offset is placed with four vector steps. Two cache lines.
+/// centre of mass, so that an offset is placed with four vector steps; and its scale. Two cache lines.
 struct alignas(64) BodyAxes {
   double column[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
-  double position[4] = {};  ///< [m]
+  double position[4] = {0.0, 0.0, 0.0, 1.0};  ///< [m], and the body's scale
 };
 
 /// A body to be added.

@@ -3,20 +3,22 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <span>
 #include <vector>
 
 namespace repose {
 
-/// A sphere that some candidate needs, placed in the world; one cache line.
+/// A sphere of a body, placed in the world where some candidate needs it; one cache line.
 struct alignas(64) PlacedSphere {
   double centre[3] = {};  ///< [m]
   double radius = 0.0;    ///< [m]
   double arm[3] = {};     ///< centre of the sphere − centre of mass of its body [m]
   std::int32_t body = 0;
-  std::int32_t sphere = 0;  ///< index in its clump
+  std::int32_t local = 0;  ///< index of its LocalSphere
 };
 
-/// A sphere in its body: scaled centre and radius [m].
+/// A sphere of a shape of scale 1, in the frame of its body [m].
 struct alignas(32) LocalSphere {
   double centre[3] = {};
   double radius = 0.0;
@@ -32,85 +34,100 @@ struct alignas(32) RollingRecord {
   double unused = 0.0;
 };
 
-/// One bit per candidate.
-class BitRow {
- public:
-  static constexpr std::size_t kWord = 64;
-
-  void clear() { words_.clear(); }
-  void push(std::size_t at, bool bit) {
-    if (at % kWord == 0) words_.push_back(0);
-    if (bit) words_.back() |= one(at);
-  }
-  [[nodiscard]] bool operator[](std::size_t at) const { return (words_[at / kWord] & one(at)) != 0; }
-  void set(std::size_t at, bool bit) {
-    if (bit)
-      words_[at / kWord] |= one(at);
-    else
-      words_[at / kWord] &= ~one(at);
-  }
-  /// Bits first … first + n − 1 become the lowest n of `bits`; n ≤ 32.
-  void assign(std::size_t first, std::size_t n, std::uint64_t bits) {
-    const std::uint64_t mask = (std::uint64_t{1} << n) - 1;
-    const std::size_t word = first / kWord, shift = first % kWord;
-    words_[word] = (words_[word] & ~(mask << shift)) | ((bits & mask) << shift);
-    if (shift + n <= kWord) return;
-    const std::size_t left = kWord - shift;
-    words_[word + 1] = (words_[word + 1] & ~(mask >> left)) | ((bits & mask) >> left);
-  }
-  [[nodiscard]] std::uint64_t word(std::size_t w) const { return words_[w]; }
-  [[nodiscard]] std::size_t words() const { return words_.size(); }
-  /// Calls visit(number of the bit) for every bit of a word that is set, ascending.
-  template <class Visit>
-  static void for_each(std::size_t w, std::uint64_t bits, Visit visit) {
-    for (; bits != 0; bits &= bits - 1) visit(w * kWord + static_cast<std::size_t>(std::countr_zero(bits)));
-  }
-
- private:
-  static std::uint64_t one(std::size_t at) { return std::uint64_t{1} << (at % kWord); }
-  std::vector<std::uint64_t> words_;
-};
-
-/// Candidates for contact with what they remember, as flat arrays.
+/// Candidates for contact as flat arrays. There are many times more of them than contacts, so they hold
+/// nothing else: what contacts remember is in the NearList.
 struct CandidateArrays {
-  std::vector<std::int32_t> a;  ///< placed sphere of body i
-  std::vector<std::int32_t> b;  ///< placed sphere of body j; for a wall candidate the wall
-  std::vector<SpringRecord> spring;
-  std::vector<RollingRecord> rolling;  ///< empty unless the rolling model has a spring
-  BitRow touching;                     ///< at the last step; history is zero where it is not set
-  BitRow near;                         ///< may touch before its bodies are looked at again (NearList)
-  std::size_t count = 0;
-  bool rolls = false;  ///< `rolling` is kept
+  std::vector<std::int32_t> a;     ///< placed sphere of body i
+  std::vector<std::int32_t> b;     ///< placed sphere of body j; for a wall candidate the wall
+  std::vector<std::uint8_t> near;  ///< 1: may touch before its bodies are looked at again
 
-  void clear();
-  /// Adds a candidate that remembers what `from` remembers in `old`; from < 0: a new one.
-  void push(std::int32_t first, std::int32_t second, const CandidateArrays& old, std::ptrdiff_t from);
-  [[nodiscard]] bool touched(std::size_t candidate) const { return touching[candidate]; }
-  /// The candidate does not touch any more, and remembers nothing.
-  void forget(std::size_t candidate);
+  [[nodiscard]] std::size_t count() const { return a.size(); }
+  void clear() { a.clear(), b.clear(), near.clear(); }
+  /// Adds a candidate that nobody has looked at yet.
+  void push(std::int32_t first, std::int32_t second) {
+    a.push_back(first), b.push_back(second), near.push_back(0);
+  }
+  /// Adds candidates begin … end − 1 of other arrays.
+  void append(const CandidateArrays& from, std::size_t begin, std::size_t end);
+  /// `near` of the candidates first … first + n − 1, n ≤ 8, from the lowest bits.
+  void set_near(std::size_t first, std::size_t n, unsigned bits) {
+    for (std::size_t k = 0; k < n; ++k) near[first + k] = (bits >> k) & 1U;
+  }
 };
 
-/// The candidates that may touch before their bodies are looked at again, ascending, ready for the kernels:
-/// padded to whole blocks of kBlock with pairs that never touch.
+/// The candidates that may touch before their bodies are looked at again, ascending by bodies and spheres,
+/// ready for the kernels and with what they remember. Padded to whole blocks of kBlock with pairs that never
+/// touch.
 struct NearList {
   static constexpr std::size_t kBlock = 8;
   static constexpr std::int32_t kLine = 8;    ///< doubles of a placed sphere's or body's record
-  static constexpr std::int32_t kRecord = 4;  ///< doubles of a candidate's record
+  static constexpr std::int32_t kRecord = 4;  ///< doubles of a SpringRecord or RollingRecord
+
+  /// @param of_walls  the second side is a wall
+  /// @param rolls     contacts remember a rolling spring
+  NearList(bool of_walls, bool rolls) : of_walls(of_walls), rolls(rolls) {}
 
   // Offsets of records, in doubles.
-  std::vector<std::int32_t> history;             ///< of the candidate's SpringRecord and RollingRecord
+  std::vector<std::int32_t> history;             ///< of `spring` and `rolling`: kRecord times the place
   std::vector<std::int32_t> sphere_a, sphere_b;  ///< of PlacedSphere; at a wall b is the wall's number
   std::vector<std::int32_t> body_a, body_b;      ///< of the bodies' records
   std::vector<std::uint8_t> touching;            ///< one bit per candidate of a block, at the last step
-  std::size_t count = 0;                         ///< without padding
+  // What contacts remember; zero where they do not touch.
+  std::vector<SpringRecord> spring;
+  std::vector<RollingRecord> rolling;  ///< empty unless `rolls`
+  std::size_t count = 0;               ///< without padding
+  bool of_walls = false, rolls = false;
 
   [[nodiscard]] std::size_t blocks() const { return touching.size(); }
-  [[nodiscard]] std::size_t candidate(std::size_t k) const {
-    return static_cast<std::size_t>(history[k] / kRecord);
+  [[nodiscard]] bool touched(std::size_t k) const {
+    return ((touching[k / kBlock] >> (k % kBlock)) & 1U) != 0;
   }
-  /// Takes the candidates whose `near` is set; those that touched and are no longer near forget. The padding
-  /// is the dummy of `placed` against itself.
-  void gather(CandidateArrays& candidates, const std::vector<PlacedSphere>& placed, bool of_walls);
+  /// Index of the first side's sphere in `placed`; of the second side's, or of the wall.
+  [[nodiscard]] std::size_t first(std::size_t k) const {
+    return static_cast<std::size_t>(sphere_a[k] / kLine);
+  }
+  [[nodiscard]] std::size_t second(std::size_t k) const {
+    return static_cast<std::size_t>(of_walls ? sphere_b[k] : sphere_b[k] / kLine);
+  }
+  /// Candidate k does not touch any more, and remembers nothing.
+  void forget(std::size_t k) {
+    spring[k] = {};
+    if (rolls) rolling[k] = {};
+  }
+  /// Takes the candidates whose `near` is set. Of those that touched, the ones that are near keep what `old`,
+  /// this list as it was before, remembers of them; the others forget. The padding is the dummy of `placed`
+  /// against itself.
+  void gather(const CandidateArrays& candidates, std::span<const PlacedSphere> placed, const NearList& old);
+  /// Follows a renumbering of spheres that keeps their order: new_place(sphere), < 0 for one that is dropped.
+  /// `placed` holds them in their new places.
+  template <class NewPlace>
+  void renumber(NewPlace new_place, std::span<const PlacedSphere> placed);
+
+ private:
+  void make_room(std::size_t entries);
+  void set(std::size_t k, std::int32_t a, std::int32_t b, std::span<const PlacedSphere> placed);
+  void copy_history(const NearList& from, std::size_t at, std::size_t to) {
+    spring[to] = from.spring[at];
+    if (rolls) rolling[to] = from.rolling[at];
+  }
 };
+
+template <class NewPlace>
+void NearList::renumber(NewPlace new_place, std::span<const PlacedSphere> placed) {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::int32_t a = new_place(static_cast<std::int32_t>(first(k)));
+    const std::int32_t b = of_walls ? sphere_b[k] : new_place(static_cast<std::int32_t>(second(k)));
+    if (a < 0 || b < 0) continue;
+    const auto bit = static_cast<unsigned>(touched(k));
+    set(kept, a, b, placed);
+    copy_history(*this, k, kept);
+    const unsigned shift = kept % kBlock;
+    touching[kept / kBlock] =
+        static_cast<std::uint8_t>((touching[kept / kBlock] & ~(1U << shift)) | (bit << shift));
+    ++kept;
+  }
+  count = kept;
+}
 
 }  // namespace repose

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 
 #include "engine/contact/contact_law.hpp"
 #include "engine/dynamics/bodies.hpp"
@@ -52,8 +53,8 @@ REPOSE_INLINE Fields8 load_fields(const Triple<SimdReal>& force, const SimdReal&
 }
 
 /// @param history  offsets of the records, TouchingList
-REPOSE_INLINE ContactHistory<SimdReal> load_history(const CandidateArrays& contacts,
-                                                    const std::int32_t* history, bool rolling) {
+REPOSE_INLINE ContactHistory<SimdReal> load_history(const NearList& contacts, const std::int32_t* history,
+                                                    bool rolling) {
   const Fields4 spring = load_fields4(contacts.spring.data()->value, history);
   ContactHistory<SimdReal> loaded;
   loaded.tangential = {{spring[0], spring[1], spring[2]}, spring[3]};
@@ -65,7 +66,7 @@ REPOSE_INLINE ContactHistory<SimdReal> load_history(const CandidateArrays& conta
   return loaded;
 }
 
-REPOSE_INLINE void store_history(const ContactHistory<SimdReal>& loaded, CandidateArrays& contacts,
+REPOSE_INLINE void store_history(const ContactHistory<SimdReal>& loaded, NearList& contacts,
                                  const std::int32_t* history, std::size_t lanes, bool rolling) {
   const TangentialSpring<SimdReal>& spring = loaded.tangential;
   store_fields4({spring.value.x, spring.value.y, spring.value.z, spring.root}, contacts.spring.data()->value,
@@ -140,18 +141,11 @@ struct PowerSum {
 };
 
 /// Brings a block of near candidates to this step; candidates that no longer touch forget.
-inline void mark_touching(CandidateArrays& contacts, NearList& near, std::size_t block, unsigned touching) {
+inline void mark_touching(NearList& near, std::size_t block, unsigned touching) {
   const unsigned before = near.touching[block];
-  if (before == touching) return;
   near.touching[block] = static_cast<std::uint8_t>(touching);
-  for (unsigned changed = before ^ touching; changed != 0; changed &= changed - 1) {
-    const auto k = static_cast<std::size_t>(std::countr_zero(changed));
-    const auto c = near.candidate(block * NearList::kBlock + k);
-    if ((touching >> k) & 1U)
-      contacts.touching.set(c, true);
-    else
-      contacts.forget(c);
-  }
+  for (unsigned parted = before & ~touching; parted != 0; parted &= parted - 1)
+    near.forget(block * NearList::kBlock + static_cast<std::size_t>(std::countr_zero(parted)));
 }
 
 }  // namespace repose

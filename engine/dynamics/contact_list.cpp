@@ -55,8 +55,8 @@ bool ContactList::update(const Bodies& bodies, std::span<const Wall> walls) {
     std::swap(old_body_pairs_, body_pairs_);
     list_bodies(bodies);
   }
-  if (list_level_2) list_candidates(bodies, walls, list_level_1);
-  look_near(bodies, walls, walls_used_up);
+  const bool walls_listed = list_level_2 && list_candidates(bodies, walls, list_level_1);
+  look_near(bodies, walls, walls_used_up || walls_listed);
   renumbered_ = false;
   return true;
 }
@@ -89,27 +89,22 @@ void ContactList::link_pairs(std::size_t count) {
     second_[next[static_cast<std::size_t>(body_pairs_[p].j)]++] = p;
 }
 
-void ContactList::number_spheres(const Bodies& bodies) {
-  first_sphere_.resize(bodies.count + 1);
-  placed.resize(1);
-  local_.resize(1);
-  for (std::size_t i = 0; i < bodies.count; ++i) {
-    first_sphere_[i] = placed.size();
-    append_spheres(bodies, i);
+void ContactList::copy_shapes(const Bodies& bodies) {
+  for (const Clump& shape : bodies.shapes) {
+    local_of_shape_.push_back(static_cast<std::int32_t>(local_.size()));
+    for (const Sphere& sphere : shape.spheres)
+      local_.push_back({{sphere.centre.x(), sphere.centre.y(), sphere.centre.z()}, sphere.radius});
   }
-  first_sphere_.back() = placed.size();
-  is_needed_.assign(placed.size(), 0);
 }
 
 void ContactList::append_spheres(const Bodies& bodies, std::size_t i) {
-  const double scale = bodies.scale[i];
-  std::int32_t number = 0;
+  if (local_.empty()) copy_shapes(bodies);
+  std::int32_t local = local_of_shape_[static_cast<std::size_t>(bodies.shape[i])];
   for (const Sphere& sphere : bodies.spheres(i)) {
     PlacedSphere& to = placed.emplace_back();
-    to.radius = scale * sphere.radius;
+    to.radius = bodies.scale[i] * sphere.radius;
     to.body = static_cast<std::int32_t>(i);
-    to.sphere = number++;
-    local_.push_back(local_sphere(sphere, scale));
+    to.local = local++;
   }
 }
 
@@ -123,63 +118,86 @@ void ContactList::add_body(const Bodies& bodies) {
 }
 
 void ContactList::renumber(const Bodies& bodies, std::span<const int> new_index) {
-  const std::vector<std::size_t> old_first = first_sphere_;
-  const std::vector<PlacedSphere> old_placed = placed;
-  number_spheres(bodies);
-  const auto index_of = [&](std::int32_t body) { return new_index[static_cast<std::size_t>(body)]; };
-  const auto sphere_of = [&](std::int32_t old) {
-    const PlacedSphere& sphere = old_placed[static_cast<std::size_t>(old)];
-    const std::size_t now = first_sphere_[static_cast<std::size_t>(index_of(sphere.body))] +
-                            static_cast<std::size_t>(sphere.sphere);
-    for (std::size_t k = 0; k < 3; ++k)
-      placed[now].centre[k] = sphere.centre[k], placed[now].arm[k] = sphere.arm[k];
-    return static_cast<std::int32_t>(now);
+  // Spheres of the bodies that stay move down to their new places.
+  constexpr std::int32_t kDropped = -1;
+  std::vector<std::int32_t> new_first(new_index.size(), kDropped);
+  std::size_t to = 1;
+  for (std::size_t i = 0; i < new_index.size(); ++i) {
+    if (new_index[i] < 0) continue;
+    new_first[i] = static_cast<std::int32_t>(to);
+    for (std::size_t s = first_sphere_[i]; s < first_sphere_[i + 1]; ++s, ++to) {
+      placed[to] = placed[s];
+      placed[to].body = new_index[i];
+    }
+  }
+  // The bodies of a candidate are looked up by its sphere's old place, hence before first_sphere_ changes.
+  const std::vector<std::size_t> old_first = std::move(first_sphere_);
+  const auto moved = [&](std::int32_t sphere, std::size_t body) {
+    return sphere - static_cast<std::int32_t>(old_first[body]) + new_first[body];
   };
+  const auto body_at = [&](std::int32_t sphere) {
+    const auto after = std::ranges::upper_bound(old_first, static_cast<std::size_t>(sphere));
+    return static_cast<std::size_t>(after - old_first.begin() - 1);
+  };
+  const auto new_place = [&](std::int32_t sphere) {
+    const std::size_t body = body_at(sphere);
+    return new_first[body] == kDropped ? kDropped : moved(sphere, body);
+  };
+  near_pairs.renumber(new_place, placed);
+  near_walls.renumber(new_place, placed);
 
   // Candidates of dropped bodies go; the others keep their order, because renumbering keeps the order of
   // bodies.
-  CandidateArrays kept;
-  kept.rolls = pairs.rolls;
+  std::swap(old_, pairs_);
+  pairs_.clear();
   std::vector<BodyPair> kept_pairs;
   std::vector<std::size_t> kept_begin(1, 0);
   for (std::size_t p = 0; p < body_pairs_.size(); ++p) {
-    const int i = index_of(body_pairs_[p].i), j = index_of(body_pairs_[p].j);
-    if (i < 0 || j < 0) continue;
-    kept_pairs.push_back({i, j});
-    for (std::size_t c = pair_begin_[p]; c < pair_begin_[p + 1]; ++c)
-      kept.push(sphere_of(pairs.a[c]), sphere_of(pairs.b[c]), pairs, static_cast<std::ptrdiff_t>(c));
-    kept_begin.push_back(kept.count);
+    const auto i = static_cast<std::size_t>(body_pairs_[p].i), j = static_cast<std::size_t>(body_pairs_[p].j);
+    if (new_index[i] < 0 || new_index[j] < 0) continue;
+    kept_pairs.push_back({new_index[i], new_index[j]});
+    for (std::size_t c = pair_begin_[p]; c < pair_begin_[p + 1]; ++c) {
+      pairs_.push(moved(old_.a[c], i), moved(old_.b[c], j));
+      pairs_.near.back() = old_.near[c];
+    }
+    kept_begin.push_back(pairs_.count());
   }
-  CandidateArrays kept_walls;
-  kept_walls.rolls = pairs.rolls;
+  std::swap(old_, walls_);
+  walls_.clear();
   std::vector<std::size_t> kept_wall_begin(1, 0);
   for (std::size_t i = 0; i + 1 < wall_begin_.size(); ++i) {
     if (new_index[i] < 0) continue;
-    for (std::size_t c = wall_begin_[i]; c < wall_begin_[i + 1]; ++c)
-      kept_walls.push(sphere_of(wall_contacts.a[c]), wall_contacts.b[c], wall_contacts,
-                      static_cast<std::ptrdiff_t>(c));
-    kept_wall_begin.push_back(kept_walls.count);
+    for (std::size_t c = wall_begin_[i]; c < wall_begin_[i + 1]; ++c) {
+      walls_.push(moved(old_.a[c], i), old_.b[c]);
+      walls_.near.back() = old_.near[c];
+    }
+    kept_wall_begin.push_back(walls_.count());
   }
+  body_pairs_ = std::move(kept_pairs);
+  pair_begin_ = std::move(kept_begin);
+  wall_begin_ = std::move(kept_wall_begin);
+
+  placed.resize(to);
+  is_needed_.assign(to, 0);
+  needed_.clear();
+  first_sphere_.clear();
+  for (const std::int32_t first : new_first)
+    if (first != kDropped) first_sphere_.push_back(static_cast<std::size_t>(first));
+  first_sphere_.push_back(to);
   for (auto* array : {&until_.bodies, &until_.spheres, &until_.near})
     for (std::size_t i = 0; i < new_index.size(); ++i)
       if (new_index[i] >= 0) (*array)[static_cast<std::size_t>(new_index[i])] = (*array)[i];
   until_.resize(bodies.count, bodies.padded());
-
-  pairs = std::move(kept);
-  wall_contacts = std::move(kept_walls);
-  body_pairs_ = std::move(kept_pairs);
-  pair_begin_ = std::move(kept_begin);
-  wall_begin_ = std::move(kept_wall_begin);
   link_pairs(bodies.count);
-  needed_.clear();
   gather_near();
 }
 
 void ContactList::hand_over_wall(int from, int to, double side) {
-  for (std::size_t c = 0; c < wall_contacts.count; ++c)
-    if (wall_contacts.b[c] == from &&
-        placed[static_cast<std::size_t>(wall_contacts.a[c])].centre[0] * side > 0.0)
-      wall_contacts.b[c] = to;
+  const auto on_side = [&](std::size_t sphere) { return placed[sphere].centre[0] * side > 0.0; };
+  for (std::size_t c = 0; c < walls_.count(); ++c)
+    if (walls_.b[c] == from && on_side(static_cast<std::size_t>(walls_.a[c]))) walls_.b[c] = to;
+  for (std::size_t k = 0; k < near_walls.count; ++k)
+    if (near_walls.sphere_b[k] == from && on_side(near_walls.first(k))) near_walls.sphere_b[k] = to;
   renumbered_ = true;
 }
 
@@ -187,7 +205,7 @@ void ContactList::place(const Bodies& bodies, std::size_t s) {
   PlacedSphere& sphere = placed[s];
   const auto i = static_cast<std::size_t>(sphere.body);
   if (bodies.oriented) {
-    place_sphere(bodies.axes[i], local_[s], sphere);
+    place_sphere(bodies.axes[i], local_[static_cast<std::size_t>(sphere.local)], sphere);
   } else {  // single spheres at their bodies' centres: no arms
     sphere.centre[0] = bodies.x[i], sphere.centre[1] = bodies.y[i], sphere.centre[2] = bodies.z[i];
   }

@@ -42,9 +42,13 @@ class ContactList {
 
   /// @param dt     Δt [s]
   /// @param rolls  contacts remember a rolling spring
-  ContactList(Skins skins, double dt, bool rolls) : skins_(skins), dt_(dt) {
-    for (CandidateArrays* arrays : {&pairs, &wall_contacts, &old_}) arrays->rolls = rolls;
-  }
+  ContactList(Skins skins, double dt, bool rolls)
+      : near_pairs(false, rolls),
+        near_walls(true, rolls),
+        skins_(skins),
+        dt_(dt),
+        old_near_pairs_(false, rolls),
+        old_near_walls_(true, rolls) {}
 
   /// Brings all levels up to date where some body or wall has used up its share. Contacts that stay keep
   /// their history. Returns false, with nothing changed, where a coordinate is not finite or farther than
@@ -65,8 +69,6 @@ class ContactList {
   /// near candidate needs it. Only lines that are needed are ever touched, which is why the array may hold
   /// all.
   std::vector<PlacedSphere> placed{1};
-  CandidateArrays pairs;
-  CandidateArrays wall_contacts;
   NearList near_pairs;
   NearList near_walls;
 
@@ -84,8 +86,8 @@ class ContactList {
 
   [[nodiscard]] bool any_used_up(const Bodies& bodies) const;
   [[nodiscard]] static bool walls_moved(std::span<const Wall> now, std::span<const Wall> then, double share);
-  void number_spheres(const Bodies& bodies);
   void append_spheres(const Bodies& bodies, std::size_t i);
+  void copy_shapes(const Bodies& bodies);
   void place(const Bodies& bodies, std::size_t sphere);
 
   // Level 1.
@@ -93,14 +95,14 @@ class ContactList {
   void link_pairs(std::size_t count);
 
   // Level 2.
-  void list_candidates(const Bodies& bodies, std::span<const Wall> walls, bool bodies_listed);
+  /// Returns whether the walls' candidates were all listed anew.
+  bool list_candidates(const Bodies& bodies, std::span<const Wall> walls, bool bodies_listed);
   void flag_moved(const Bodies& bodies);
   void flag_new_pairs();
   void list_pairs(const Bodies& bodies);
-  void list_pair(const Bodies& bodies, const BodyPair& pair, std::size_t old_begin, std::size_t old_end);
-  void list_walls(const Bodies& bodies, std::span<const Wall> walls);
-  void list_walls_of(const Bodies& bodies, std::size_t i, std::span<const Wall> walls, std::size_t old_begin,
-                     std::size_t old_end);
+  void list_pair(const Bodies& bodies, const BodyPair& pair);
+  bool list_walls(const Bodies& bodies, std::span<const Wall> walls);
+  void list_walls_of(const Bodies& bodies, std::size_t i, std::span<const Wall> walls);
   void place_all(const Bodies& bodies, std::size_t i);
   /// Spheres of one body that reach into the bounding sphere of another.
   struct Reaching {
@@ -131,7 +133,9 @@ class ContactList {
   double wall_share_ = 0.0;         ///< what a wall may move until the next look [m]
 
   std::vector<std::size_t> first_sphere_{1};  ///< of each body in `placed`, and one past the last
-  std::vector<LocalSphere> local_{1};         ///< of each entry of `placed`
+  std::vector<LocalSphere> local_;            ///< of all shapes, of scale 1
+  std::vector<std::int32_t> local_of_shape_;  ///< where each shape's begin
+  CandidateArrays pairs_, walls_;             ///< of pairs of bodies, of bodies and walls
   std::vector<BodyPair> body_pairs_;          ///< sorted
   std::vector<std::size_t> pair_first_;  ///< pairs with body i as first: pair_first_[i] … pair_first_[i+1]−1
   std::vector<std::size_t> second_first_, second_;  ///< pairs with body i as second, in the same way
@@ -149,6 +153,7 @@ class ContactList {
   std::vector<std::size_t> next_;
   Reaching reach_a_, reach_b_;
   CandidateArrays old_;
+  NearList old_near_pairs_, old_near_walls_;
   std::vector<BodyPair> old_body_pairs_;
   std::vector<std::size_t> old_pair_begin_, old_wall_begin_;
 };

@@ -31,8 +31,8 @@ void add_contact(const LawParameters& law, RollingModel model, const Touch& touc
   survey.mean_overlap += (ratio - survey.mean_overlap) / static_cast<double>(++survey.contacts);
 }
 
-RollingRecord rolling_of(const CandidateArrays& contacts, std::size_t c) {
-  return contacts.rolls ? contacts.rolling[c] : RollingRecord{};
+RollingRecord rolling_of(const NearList& contacts, std::size_t k) {
+  return contacts.rolls ? contacts.rolling[k] : RollingRecord{};
 }
 
 Touch touch_of(const PlacedSphere& a, const PlacedSphere& b) {
@@ -46,21 +46,19 @@ ContactSurvey survey_contacts(const ForceStep& step, RollingModel model, const B
                               const ContactList& contacts, std::span<const Wall> walls) {
   ContactSurvey survey;
   if (bodies.count == 0) return survey;
-  const auto sphere = [&](std::int32_t k) -> const PlacedSphere& {
-    return contacts.placed[static_cast<std::size_t>(k)];
-  };
-  const CandidateArrays& pairs = contacts.pairs;
-  for (std::size_t c = 0; c < pairs.count; ++c)
-    if (pairs.touched(c))
-      add_contact(step.pair_law, model, touch_of(sphere(pairs.a[c]), sphere(pairs.b[c])), pairs.spring[c],
-                  rolling_of(pairs, c), survey);
-  const CandidateArrays& at_walls = contacts.wall_contacts;
-  for (std::size_t c = 0; c < at_walls.count; ++c) {
-    if (!at_walls.touched(c)) continue;
-    const PlacedSphere& s = sphere(at_walls.a[c]);
-    const WallDistance wall = distance_to(walls[static_cast<std::size_t>(at_walls.b[c])], Vec3(s.centre));
-    add_contact(step.wall_law, model, {s.radius - wall.distance, s.radius, s.radius}, at_walls.spring[c],
-                rolling_of(at_walls, c), survey);
+  const std::vector<PlacedSphere>& placed = contacts.placed;
+  const NearList& pairs = contacts.near_pairs;
+  for (std::size_t k = 0; k < pairs.count; ++k)
+    if (pairs.touched(k))
+      add_contact(step.pair_law, model, touch_of(placed[pairs.first(k)], placed[pairs.second(k)]),
+                  pairs.spring[k], rolling_of(pairs, k), survey);
+  const NearList& at_walls = contacts.near_walls;
+  for (std::size_t k = 0; k < at_walls.count; ++k) {
+    if (!at_walls.touched(k)) continue;
+    const PlacedSphere& s = placed[at_walls.first(k)];
+    const WallDistance wall = distance_to(walls[at_walls.second(k)], Vec3(s.centre));
+    add_contact(step.wall_law, model, {s.radius - wall.distance, s.radius, s.radius}, at_walls.spring[k],
+                rolling_of(at_walls, k), survey);
   }
   return survey;
 }

@@ -185,8 +185,9 @@ REPOSE_INLINE Triple<T> rotate(Bodies& bodies, std::size_t first, const Twist& t
     store_fields4({axis->x, axis->y, axis->z, T(0.0)}, column, at.data(), kSimdWidth);
     column += 4;
   }
-  store_fields4({load(bodies.x, first), load(bodies.y, first), load(bodies.z, first), T(0.0)},
-                bodies.axes.data()->position, at.data(), kSimdWidth);
+  store_fields4(
+      {load(bodies.x, first), load(bodies.y, first), load(bodies.z, first), load(bodies.scale, first)},
+      bodies.axes.data()->position, at.data(), kSimdWidth);
   return to_world(axes, {inverse.x * l.x, inverse.y * l.y, inverse.z * l.z});
 }
 

@@ -1,6 +1,6 @@
 // Level 2 of ContactList: candidates.
 
-#include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "engine/dynamics/contact_list.hpp"
@@ -8,7 +8,7 @@
 
 namespace repose {
 
-void ContactList::list_candidates(const Bodies& bodies, std::span<const Wall> walls, bool bodies_listed) {
+bool ContactList::list_candidates(const Bodies& bodies, std::span<const Wall> walls, bool bodies_listed) {
   ++updates_;
   flag_moved(bodies);
   if (bodies_listed)
@@ -17,16 +17,17 @@ void ContactList::list_candidates(const Bodies& bodies, std::span<const Wall> wa
     old_body_pairs_ = body_pairs_;
   all_placed_.assign(bodies.count, 0);
   std::swap(old_pair_begin_, pair_begin_);
-  std::swap(old_, pairs);
+  std::swap(old_, pairs_);
   list_pairs(bodies);
   std::swap(old_wall_begin_, wall_begin_);
-  std::swap(old_, wall_contacts);
-  list_walls(bodies, walls);
+  std::swap(old_, walls_);
+  const bool walls_listed = list_walls(bodies, walls);
   for (std::size_t i = 0; i < bodies.count; ++i) {
     if (!moved_[i]) continue;
     until_.spheres[i] = bodies.travel[i] + 0.5 * skins_.spheres;
     is_looked_[i] = 1;
   }
+  return walls_listed;
 }
 
 /// Bodies that have used more than half of their share are listed with those that have used all of it, so
@@ -48,21 +49,31 @@ void ContactList::flag_new_pairs() {
   }
 }
 
+/// Candidates of pairs that have not moved stay, and are taken over as long rows.
 void ContactList::list_pairs(const Bodies& bodies) {
-  pairs.clear();
+  pairs_.clear();
   pair_begin_.assign(1, 0);
-  std::size_t old = 0;
+  std::size_t old = 0, begin = 0, end = 0;  // candidates of old_ to be taken over
+  const auto take_over = [&] {
+    pairs_.append(old_, begin, end);
+    begin = end = 0;
+  };
   for (const BodyPair& pair : body_pairs_) {
     while (old < old_body_pairs_.size() && old_body_pairs_[old] < pair) ++old;
     const bool known = old < old_body_pairs_.size() && old_body_pairs_[old] == pair;
-    const std::size_t begin = known ? old_pair_begin_[old] : 0, end = known ? old_pair_begin_[old + 1] : 0;
-    if (!known || moved_[static_cast<std::size_t>(pair.i)] || moved_[static_cast<std::size_t>(pair.j)])
-      list_pair(bodies, pair, begin, end);
-    else
-      for (std::size_t c = begin; c < end; ++c)
-        pairs.push(old_.a[c], old_.b[c], old_, static_cast<std::ptrdiff_t>(c));
-    pair_begin_.push_back(pairs.count);
+    if (!known || moved_[static_cast<std::size_t>(pair.i)] || moved_[static_cast<std::size_t>(pair.j)]) {
+      take_over();
+      list_pair(bodies, pair);
+    } else {
+      if (end != old_pair_begin_[old]) {
+        take_over();
+        begin = old_pair_begin_[old];
+      }
+      end = old_pair_begin_[old + 1];
+    }
+    pair_begin_.push_back(pairs_.count() + (end - begin));
   }
+  take_over();
 }
 
 void ContactList::place_all(const Bodies& bodies, std::size_t i) {
@@ -98,10 +109,7 @@ void ContactList::find_reaching(const Bodies& bodies, std::size_t of, std::size_
   }
 }
 
-/// Both the old and the new candidates of a pair are sorted by their spheres, so that one pass over both
-/// finds what a contact remembers.
-void ContactList::list_pair(const Bodies& bodies, const BodyPair& pair, std::size_t old,
-                            std::size_t old_end) {
+void ContactList::list_pair(const Bodies& bodies, const BodyPair& pair) {
   const auto i = static_cast<std::size_t>(pair.i), j = static_cast<std::size_t>(pair.j);
   const double dx = bodies.x[i] - bodies.x[j], dy = bodies.y[i] - bodies.y[j], dz = bodies.z[i] - bodies.z[j];
   const double bounds = bodies.reach[i] + bodies.reach[j] + skins_.spheres;
@@ -117,58 +125,43 @@ void ContactList::list_pair(const Bodies& bodies, const BodyPair& pair, std::siz
     for (std::size_t b = 0; b < reach_b_.count; b += kSimdWidth) {
       const SimdReal px = x - load(reach_b_.x, b), py = y - load(reach_b_.y, b), pz = z - load(reach_b_.z, b);
       const SimdReal reach = r + load(reach_b_.radius, b);
-      for (unsigned near = less_bits(px * px + py * py + pz * pz, reach * reach); near != 0;
-           near &= near - 1) {
-        const std::int32_t first = reach_a_.sphere[a];
-        const std::int32_t second = reach_b_.sphere[b + static_cast<std::size_t>(std::countr_zero(near))];
-        while (old < old_end && (old_.a[old] < first || (old_.a[old] == first && old_.b[old] < second)))
-          ++old;
-        const bool known = old < old_end && old_.a[old] == first && old_.b[old] == second;
-        pairs.push(first, second, old_, known ? static_cast<std::ptrdiff_t>(old) : -1);
-      }
+      for (unsigned near = less_bits(px * px + py * py + pz * pz, reach * reach); near != 0; near &= near - 1)
+        pairs_.push(reach_a_.sphere[a],
+                    reach_b_.sphere[b + static_cast<std::size_t>(std::countr_zero(near))]);
     }
   }
 }
 
 /// Candidates are sorted by body, sphere and wall. Those of bodies that have not moved stay, unless a wall
 /// has.
-void ContactList::list_walls(const Bodies& bodies, std::span<const Wall> walls) {
+bool ContactList::list_walls(const Bodies& bodies, std::span<const Wall> walls) {
   const bool all = renumbered_ || walls_moved(walls, listed_walls_, 0.5 * skins_.spheres);
   if (all) listed_walls_.assign(walls.begin(), walls.end());
-  wall_contacts.clear();
+  walls_.clear();
   wall_begin_.assign(1, 0);
   for (std::size_t i = 0; i < bodies.count; ++i) {
     const bool known = i + 1 < old_wall_begin_.size();
-    const std::size_t begin = known ? old_wall_begin_[i] : 0, end = known ? old_wall_begin_[i + 1] : 0;
-    if (all || moved_[i])
-      list_walls_of(bodies, i, walls, begin, end);
+    if (all || moved_[i] || !known)
+      list_walls_of(bodies, i, walls);
     else
-      for (std::size_t c = begin; c < end; ++c)
-        wall_contacts.push(old_.a[c], old_.b[c], old_, static_cast<std::ptrdiff_t>(c));
-    wall_begin_.push_back(wall_contacts.count);
+      walls_.append(old_, old_wall_begin_[i], old_wall_begin_[i + 1]);
+    wall_begin_.push_back(walls_.count());
   }
+  return all;
 }
 
-void ContactList::list_walls_of(const Bodies& bodies, std::size_t i, std::span<const Wall> walls,
-                                std::size_t old, std::size_t old_end) {
+void ContactList::list_walls_of(const Bodies& bodies, std::size_t i, std::span<const Wall> walls) {
   const Vec3 position = bodies.position(i);
   bool near = false;
   for (const Wall& wall : walls)
     near |= wall.present && within_reach(wall, position, bodies.reach[i] + skins_.spheres);
   if (!near) return;
   place_all(bodies, i);
-  for (std::size_t s = first_sphere_[i]; s < first_sphere_[i + 1]; ++s) {
-    const auto sphere = static_cast<std::int32_t>(s);
-    for (std::size_t w = 0; w < walls.size(); ++w) {
-      if (!walls[w].present ||
-          !within_reach(walls[w], Vec3(placed[s].centre), placed[s].radius + skins_.spheres))
-        continue;
-      const auto wall = static_cast<std::int32_t>(w);
-      while (old < old_end && (old_.a[old] < sphere || (old_.a[old] == sphere && old_.b[old] < wall))) ++old;
-      const bool known = old < old_end && old_.a[old] == sphere && old_.b[old] == wall;
-      wall_contacts.push(sphere, wall, old_, known ? static_cast<std::ptrdiff_t>(old) : -1);
-    }
-  }
+  for (std::size_t s = first_sphere_[i]; s < first_sphere_[i + 1]; ++s)
+    for (std::size_t w = 0; w < walls.size(); ++w)
+      if (walls[w].present &&
+          within_reach(walls[w], Vec3(placed[s].centre), placed[s].radius + skins_.spheres))
+        walls_.push(static_cast<std::int32_t>(s), static_cast<std::int32_t>(w));
 }
 
 }  // namespace repose

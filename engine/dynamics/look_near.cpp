@@ -68,10 +68,14 @@ void ContactList::look_at_pair(const Bodies& bodies, std::size_t pair) {
   const Vec3 apart = bodies.position(i) - bodies.position(j);
   const auto placed_at = [&](const std::vector<std::int32_t>& spheres, std::size_t body, std::size_t first,
                              Fields4& sphere) {
+    const std::int32_t shift = local_of_shape_[static_cast<std::size_t>(bodies.shape[body])] -
+                               static_cast<std::int32_t>(first_sphere_[body]);
     LaneOffsets at;
     for (std::size_t lane = 0; lane < kSimdWidth; ++lane)
-      at[lane] = 4 * spheres[std::min(first + lane, end - 1)];
+      at[lane] = 4 * (spheres[std::min(first + lane, end - 1)] + shift);
     sphere = load_fields4(local_.data()->centre, at.data());
+    const SimdReal scale = bodies.scale[body];
+    for (SimdReal& field : sphere) field *= scale;
     if (!bodies.oriented) return;
     const double(&axis)[3][4] = bodies.axes[body].column;
     const SimdReal x = sphere[0], y = sphere[1], z = sphere[2];
@@ -80,28 +84,31 @@ void ContactList::look_at_pair(const Bodies& bodies, std::size_t pair) {
   };
   for (std::size_t first = begin; first < end; first += kSimdWidth) {
     Fields4 a, b;
-    placed_at(pairs.a, i, first, a);
-    placed_at(pairs.b, j, first, b);
+    placed_at(pairs_.a, i, first, a);
+    placed_at(pairs_.b, j, first, b);
     const SimdReal dx = a[0] - b[0] + apart.x(), dy = a[1] - b[1] + apart.y(), dz = a[2] - b[2] + apart.z();
     const SimdReal reach = a[3] + b[3] + share;
     const unsigned near = less_bits(dx * dx + dy * dy + dz * dz, reach * reach);
-    pairs.near.assign(first, std::min(kSimdWidth, end - first), near);
+    pairs_.set_near(first, std::min(kSimdWidth, end - first), near);
   }
 }
 
 void ContactList::look_at_walls(const Bodies& bodies, std::size_t i) {
   const double share = left(bodies, i) + wall_share_ + kRounding;
   for (std::size_t c = wall_begin_[i]; c < wall_begin_[i + 1]; ++c) {
-    const PlacedSphere& sphere = placed[static_cast<std::size_t>(wall_contacts.a[c])];
-    place(bodies, static_cast<std::size_t>(wall_contacts.a[c]));
-    const Wall& wall = looked_walls_[static_cast<std::size_t>(wall_contacts.b[c])];
-    wall_contacts.near.set(c, within_reach(wall, Vec3(sphere.centre), sphere.radius + share));
+    const auto s = static_cast<std::size_t>(walls_.a[c]);
+    place(bodies, s);
+    const PlacedSphere& sphere = placed[s];
+    const Wall& wall = looked_walls_[static_cast<std::size_t>(walls_.b[c])];
+    walls_.set_near(c, 1, within_reach(wall, Vec3(sphere.centre), sphere.radius + share));
   }
 }
 
 void ContactList::gather_near() {
-  near_pairs.gather(pairs, placed, false);
-  near_walls.gather(wall_contacts, placed, true);
+  std::swap(near_pairs, old_near_pairs_);
+  near_pairs.gather(pairs_, placed, old_near_pairs_);
+  std::swap(near_walls, old_near_walls_);
+  near_walls.gather(walls_, placed, old_near_walls_);
   for (const std::int32_t s : needed_) is_needed_[static_cast<std::size_t>(s)] = 0;
   needed_.clear();
   const auto need = [&](std::int32_t at) {

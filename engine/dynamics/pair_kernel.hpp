@@ -21,7 +21,7 @@ inline void find_touching(ContactList& list, TouchingList& touching) {
       const SimdReal dx = a[0] - b[0], dy = a[1] - b[1], dz = a[2] - b[2], reach = a[3] + b[3];
       mask |= less_bits(dx * dx + dy * dy + dz * dz, reach * reach) << part;
     }
-    mark_touching(list.pairs, near, block, mask);
+    mark_touching(near, block, mask);
     touching.take(near, block, mask);
   }
   touching.finish();
@@ -96,7 +96,7 @@ REPOSE_INLINE void keep(const ContactForces<SimdReal>& f, const ContactHistory<S
                         const ForceStep& step, ContactList& list, const TouchingList& touching,
                         std::size_t first, PairBlock& block, PowerSum& sum) {
   const std::size_t lanes = std::min(kSimdWidth, touching.count - first);
-  store_history(history, list.pairs, touching.history.data() + first, lanes, rolls);
+  store_history(history, list.near_pairs, touching.history.data() + first, lanes, rolls);
   if (step.booked) sum.add(f.power, lanes);
   block.force = f.force, block.rolling_torque = f.rolling_torque, block.F_n = f.F_n;
 }
@@ -107,8 +107,8 @@ REPOSE_INLINE void pair_law_twice(const ForceStep& step, ContactList& list, cons
                                   std::size_t first, PairBlock& a, PairBlock& b, PowerSum& sum) {
   constexpr bool kSpring = has_rolling_spring(kModel);
   const std::int32_t* at_history = touching.history.data() + first;
-  ContactHistory<Twin> history = twin(load_history(list.pairs, at_history, kSpring),
-                                      load_history(list.pairs, at_history + kSimdWidth, kSpring));
+  ContactHistory<Twin> history = twin(load_history(list.near_pairs, at_history, kSpring),
+                                      load_history(list.near_pairs, at_history + kSimdWidth, kSpring));
   const Triple<Twin> lead = step.leads ? twin(a.lead, b.lead) : Triple<Twin>{0.0, 0.0, 0.0};
   const ContactTiming<Twin> timing{step.dt, step.lag, step.booked, step.leads ? &lead : nullptr};
   const ContactForces<Twin> f = contact_forces<kModel>(step.pair_law, twin(a.contact, b.contact),
@@ -122,7 +122,7 @@ template <RollingModel kModel>
 REPOSE_INLINE void pair_law(const ForceStep& step, ContactList& list, const TouchingList& touching,
                             std::size_t first, PairBlock& block, PowerSum& sum) {
   constexpr bool kSpring = has_rolling_spring(kModel);
-  ContactHistory<SimdReal> history = load_history(list.pairs, touching.history.data() + first, kSpring);
+  ContactHistory<SimdReal> history = load_history(list.near_pairs, touching.history.data() + first, kSpring);
   const ContactTiming<SimdReal> timing{step.dt, step.lag, step.booked, step.leads ? &block.lead : nullptr};
   const ContactForces<SimdReal> f =
       contact_forces<kModel>(step.pair_law, block.contact, block.motion, timing, history);

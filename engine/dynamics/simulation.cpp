@@ -131,10 +131,11 @@ void Simulation::split_wall(int from, int plus, int minus) {
 
 std::vector<char> Simulation::touching_another() const {
   std::vector<char> touches(bodies_.count, 0);
-  for (std::size_t c = 0; c < contacts_.pairs.count; ++c) {
-    if (!contacts_.pairs.touched(c)) continue;
-    for (const std::int32_t sphere : {contacts_.pairs.a[c], contacts_.pairs.b[c]})
-      touches[static_cast<std::size_t>(contacts_.placed[static_cast<std::size_t>(sphere)].body)] = 1;
+  const NearList& near = contacts_.near_pairs;
+  for (std::size_t k = 0; k < near.count; ++k) {
+    if (!near.touched(k)) continue;
+    for (const std::int32_t body : {near.body_a[k], near.body_b[k]})
+      touches[static_cast<std::size_t>(body / NearList::kLine)] = 1;
   }
   return touches;
 }

@@ -36,9 +36,9 @@ inline void find_touching_walls(ContactList& list, std::span<const Wall> walls, 
     const std::size_t last = std::min(first + NearList::kBlock, near.count);
     std::size_t n = touching.count;
     for (std::size_t k = first; k < last; ++k) {
-      const PlacedSphere& sphere = list.placed[static_cast<std::size_t>(near.sphere_a[k] / NearList::kLine)];
+      const PlacedSphere& sphere = list.placed[near.first(k)];
       WallDistance wall;
-      if (!may_touch(walls[static_cast<std::size_t>(near.sphere_b[k])], sphere, wall)) continue;
+      if (!may_touch(walls[near.second(k)], sphere, wall)) continue;
       const double overlap = sphere.radius - wall.distance;
       if (!(overlap > 0.0)) continue;
       mask |= 1U << (k - first);
@@ -46,7 +46,7 @@ inline void find_touching_walls(ContactList& list, std::span<const Wall> walls, 
       touching.overlap[n] = overlap;
       ++n;
     }
-    mark_touching(list.wall_contacts, near, block, mask);
+    mark_touching(near, block, mask);
     touching.take(near, block, mask);
   }
   touching.finish();
@@ -88,9 +88,9 @@ REPOSE_INLINE void wall_block(const ForceStep& step, Bodies& bodies, ContactList
     lead = lead_of(bodies, body, arm);
     timing.lead = &lead;
   }
-  ContactHistory<SimdReal> history = load_history(list.wall_contacts, at_history, kSpring);
+  ContactHistory<SimdReal> history = load_history(list.near_walls, at_history, kSpring);
   const ContactForces<SimdReal> f = contact_forces<kModel>(step.wall_law, contact, motion, timing, history);
-  store_history(history, list.wall_contacts, at_history, lanes, kSpring);
+  store_history(history, list.near_walls, at_history, lanes, kSpring);
   if (step.booked) {
     sum.add(f.power, lanes);
     sum.add_wall(dot(f.force, v_wall), lanes);

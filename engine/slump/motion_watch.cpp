@@ -47,10 +47,10 @@ void for_each_contact(const Simulation& simulation, Visit visit) {
   const ContactList& list = simulation.contacts();
   SeenContact contact;
   contact.law = &simulation.laws().pair_law;
-  for (std::size_t c = 0; c < list.pairs.count; ++c) {
-    if (!list.pairs.touched(c)) continue;
-    const PlacedSphere& a = list.placed[static_cast<std::size_t>(list.pairs.a[c])];
-    const PlacedSphere& b = list.placed[static_cast<std::size_t>(list.pairs.b[c])];
+  for (std::size_t k = 0; k < list.near_pairs.count; ++k) {
+    if (!list.near_pairs.touched(k)) continue;
+    const PlacedSphere& a = list.placed[list.near_pairs.first(k)];
+    const PlacedSphere& b = list.placed[list.near_pairs.second(k)];
     const Vec3 apart = Vec3(a.centre) - Vec3(b.centre);
     const double distance = apart.norm();
     contact.overlap = a.radius + b.radius - distance;
@@ -69,11 +69,10 @@ void for_each_contact(const Simulation& simulation, Visit visit) {
   }
   contact.law = &simulation.laws().wall_law;
   contact.sides = 1;
-  for (std::size_t c = 0; c < list.wall_contacts.count; ++c) {
-    if (!list.wall_contacts.touched(c)) continue;
-    const PlacedSphere& a = list.placed[static_cast<std::size_t>(list.wall_contacts.a[c])];
-    const WallDistance wall =
-        distance_to(simulation.walls[static_cast<std::size_t>(list.wall_contacts.b[c])], Vec3(a.centre));
+  for (std::size_t k = 0; k < list.near_walls.count; ++k) {
+    if (!list.near_walls.touched(k)) continue;
+    const PlacedSphere& a = list.placed[list.near_walls.first(k)];
+    const WallDistance wall = distance_to(simulation.walls[list.near_walls.second(k)], Vec3(a.centre));
     contact.overlap = a.radius - wall.distance;
     if (!(contact.overlap > 0.0)) continue;
     const auto i = static_cast<std::size_t>(a.body);

@@ -134,7 +134,11 @@ class ChartPlot {
 
   [[nodiscard]] std::string heading() const {
     std::string text = chart_.title;
-    if (text.size() > 90) text = text.substr(0, 87) + "…";
+    if (constexpr std::size_t kMost = 70; text.size() > kMost) {  // bytes: no letter may be cut in two
+      std::size_t end = kMost;
+      while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+      text = text.substr(0, end) + "…";
+    }
     return fmt::format("{}{}{} sets of frictions, {} replicates each; bars: ± 1 standard error", text,
                        text.empty() ? "" : "; ", chart_.frictions.size(), chart_.replicates);
   }

@@ -195,27 +195,5 @@ TEST(Simulation, LooksForContactsSeldomWhereNothingMoves) {
   EXPECT_LT(simulation.contacts().updates() - updates, 20);
 }
 
-TEST(BitRow, SetsRangesAcrossItsWords) {
-  RandomStream random(3, 9);
-  BitRow row;
-  std::vector<bool> plain;
-  for (std::size_t k = 0; k < 300; ++k) {
-    const bool bit = random.uniform() < 0.5;
-    row.push(k, bit);
-    plain.push_back(bit);
-  }
-  for (int trial = 0; trial < 2000; ++trial) {
-    const auto n = static_cast<std::size_t>(1 + random.below(32));
-    const auto first = static_cast<std::size_t>(random.below(300 - n));
-    std::uint64_t bits = 0;
-    for (std::size_t k = 0; k < n; ++k) {
-      plain[first + k] = random.uniform() < 0.5;
-      bits |= std::uint64_t{plain[first + k]} << k;
-    }
-    row.assign(first, n, bits | (std::uint64_t{1} << 40));
-    for (std::size_t k = 0; k < 300; ++k) ASSERT_EQ(row[k], plain[k]) << trial << " " << k;
-  }
-}
-
 }  // namespace
 }  // namespace repose::test
