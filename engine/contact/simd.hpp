@@ -63,6 +63,13 @@ struct Twin {
   Twin() = default;
   REPOSE_INLINE Twin(double x) : one(x), two(x) {}
   REPOSE_INLINE Twin(const SimdReal& first, const SimdReal& second) : one(first), two(second) {}
+  template <int kHalf>
+  REPOSE_INLINE const SimdReal& half() const {
+    if constexpr (kHalf == 0)
+      return one;
+    else
+      return two;
+  }
 
   REPOSE_INLINE friend Twin operator+(const Twin& a, const Twin& b) { return {a.one + b.one, a.two + b.two}; }
   REPOSE_INLINE friend Twin operator-(const Twin& a, const Twin& b) { return {a.one - b.one, a.two - b.two}; }
@@ -127,8 +134,10 @@ struct Triple {
 REPOSE_INLINE Triple<Twin> twin(const Triple<SimdReal>& one, const Triple<SimdReal>& two) {
   return {{one.x, two.x}, {one.y, two.y}, {one.z, two.z}};
 }
-REPOSE_INLINE Triple<SimdReal> first_of(const Triple<Twin>& t) { return {t.x.one, t.y.one, t.z.one}; }
-REPOSE_INLINE Triple<SimdReal> second_of(const Triple<Twin>& t) { return {t.x.two, t.y.two, t.z.two}; }
+template <int kHalf>
+REPOSE_INLINE Triple<SimdReal> half_of(const Triple<Twin>& t) {
+  return {t.x.half<kHalf>(), t.y.half<kHalf>(), t.z.half<kHalf>()};
+}
 
 template <class M, class T>
 REPOSE_INLINE Triple<T> select3(const M& condition, const Triple<T>& yes, const Triple<T>& no) {

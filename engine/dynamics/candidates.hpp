@@ -1,9 +1,7 @@
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <vector>
 
@@ -43,9 +41,9 @@ struct CandidateArrays {
 
   [[nodiscard]] std::size_t count() const { return a.size(); }
   void clear() { a.clear(), b.clear(), near.clear(); }
-  /// Adds a candidate that nobody has looked at yet.
-  void push(std::int32_t first, std::int32_t second) {
-    a.push_back(first), b.push_back(second), near.push_back(0);
+  /// Adds a candidate; near = 0: nobody has looked at it yet.
+  void push(std::int32_t first, std::int32_t second, std::uint8_t is_near = 0) {
+    a.push_back(first), b.push_back(second), near.push_back(is_near);
   }
   /// Adds candidates begin … end − 1 of other arrays.
   void append(const CandidateArrays& from, std::size_t begin, std::size_t end);

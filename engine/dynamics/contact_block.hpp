@@ -95,25 +95,18 @@ REPOSE_INLINE ContactGeometry<Twin> twin(const ContactGeometry<SimdReal>& a,
 REPOSE_INLINE ContactMotion<Twin> twin(const ContactMotion<SimdReal>& a, const ContactMotion<SimdReal>& b) {
   return {twin(a.v, b.v), twin(a.w_rel, b.w_rel), {a.w_normal, b.w_normal}};
 }
-REPOSE_INLINE ContactHistory<SimdReal> first_of(const ContactHistory<Twin>& h) {
-  return {{first_of(h.tangential.value), h.tangential.root.one}, first_of(h.rolling)};
+template <int kHalf>
+REPOSE_INLINE ContactHistory<SimdReal> half_of(const ContactHistory<Twin>& h) {
+  return {{half_of<kHalf>(h.tangential.value), h.tangential.root.half<kHalf>()}, half_of<kHalf>(h.rolling)};
 }
-REPOSE_INLINE ContactHistory<SimdReal> second_of(const ContactHistory<Twin>& h) {
-  return {{second_of(h.tangential.value), h.tangential.root.two}, second_of(h.rolling)};
-}
-REPOSE_INLINE ContactForces<SimdReal> first_of(const ContactForces<Twin>& f) {
+template <int kHalf>
+REPOSE_INLINE ContactForces<SimdReal> half_of(const ContactForces<Twin>& f) {
   const ContactPower<Twin>& p = f.power;
-  return {first_of(f.force),
-          first_of(f.rolling_torque),
-          f.F_n.one,
-          {p.normal_damping.one, p.tangential_damping.one, p.spring.one, p.rolling.one}};
-}
-REPOSE_INLINE ContactForces<SimdReal> second_of(const ContactForces<Twin>& f) {
-  const ContactPower<Twin>& p = f.power;
-  return {second_of(f.force),
-          second_of(f.rolling_torque),
-          f.F_n.two,
-          {p.normal_damping.two, p.tangential_damping.two, p.spring.two, p.rolling.two}};
+  return {half_of<kHalf>(f.force),
+          half_of<kHalf>(f.rolling_torque),
+          f.F_n.half<kHalf>(),
+          {p.normal_damping.half<kHalf>(), p.tangential_damping.half<kHalf>(), p.spring.half<kHalf>(),
+           p.rolling.half<kHalf>()}};
 }
 
 /// Sums the power of blocks, lane by lane.

@@ -117,79 +117,88 @@ void ContactList::add_body(const Bodies& bodies) {
   is_needed_.resize(placed.size(), 0);
 }
 
-void ContactList::renumber(const Bodies& bodies, std::span<const int> new_index) {
-  // Spheres of the bodies that stay move down to their new places.
-  constexpr std::int32_t kDropped = -1;
-  std::vector<std::int32_t> new_first(new_index.size(), kDropped);
-  std::size_t to = 1;
-  for (std::size_t i = 0; i < new_index.size(); ++i) {
-    if (new_index[i] < 0) continue;
-    new_first[i] = static_cast<std::int32_t>(to);
-    for (std::size_t s = first_sphere_[i]; s < first_sphere_[i + 1]; ++s, ++to) {
-      placed[to] = placed[s];
-      placed[to].body = new_index[i];
-    }
+/// Where the bodies and spheres of before are now; kDropped: gone.
+struct ContactList::Renumbering {
+  static constexpr std::int32_t kDropped = -1;
+  std::span<const int> body;
+  std::vector<std::size_t> old_first;   ///< sphere of each body, and one past the last
+  std::vector<std::int32_t> new_first;  ///< of each body
+
+  [[nodiscard]] std::int32_t moved(std::int32_t sphere, std::size_t of_body) const {
+    return sphere - static_cast<std::int32_t>(old_first[of_body]) + new_first[of_body];
   }
-  // The bodies of a candidate are looked up by its sphere's old place, hence before first_sphere_ changes.
-  const std::vector<std::size_t> old_first = std::move(first_sphere_);
-  const auto moved = [&](std::int32_t sphere, std::size_t body) {
-    return sphere - static_cast<std::int32_t>(old_first[body]) + new_first[body];
-  };
-  const auto body_at = [&](std::int32_t sphere) {
+  [[nodiscard]] std::int32_t new_place(std::int32_t sphere) const {
     const auto after = std::ranges::upper_bound(old_first, static_cast<std::size_t>(sphere));
-    return static_cast<std::size_t>(after - old_first.begin() - 1);
-  };
-  const auto new_place = [&](std::int32_t sphere) {
-    const std::size_t body = body_at(sphere);
-    return new_first[body] == kDropped ? kDropped : moved(sphere, body);
-  };
+    const auto of_body = static_cast<std::size_t>(after - old_first.begin() - 1);
+    return new_first[of_body] == kDropped ? kDropped : moved(sphere, of_body);
+  }
+};
+
+void ContactList::renumber(const Bodies& bodies, std::span<const int> new_index) {
+  const Renumbering to = move_spheres(new_index);
+  const auto new_place = [&to](std::int32_t sphere) { return to.new_place(sphere); };
   near_pairs.renumber(new_place, placed);
   near_walls.renumber(new_place, placed);
-
-  // Candidates of dropped bodies go; the others keep their order, because renumbering keeps the order of
-  // bodies.
-  std::swap(old_, pairs_);
-  pairs_.clear();
-  std::vector<BodyPair> kept_pairs;
-  std::vector<std::size_t> kept_begin(1, 0);
-  for (std::size_t p = 0; p < body_pairs_.size(); ++p) {
-    const auto i = static_cast<std::size_t>(body_pairs_[p].i), j = static_cast<std::size_t>(body_pairs_[p].j);
-    if (new_index[i] < 0 || new_index[j] < 0) continue;
-    kept_pairs.push_back({new_index[i], new_index[j]});
-    for (std::size_t c = pair_begin_[p]; c < pair_begin_[p + 1]; ++c) {
-      pairs_.push(moved(old_.a[c], i), moved(old_.b[c], j));
-      pairs_.near.back() = old_.near[c];
-    }
-    kept_begin.push_back(pairs_.count());
-  }
-  std::swap(old_, walls_);
-  walls_.clear();
-  std::vector<std::size_t> kept_wall_begin(1, 0);
-  for (std::size_t i = 0; i + 1 < wall_begin_.size(); ++i) {
-    if (new_index[i] < 0) continue;
-    for (std::size_t c = wall_begin_[i]; c < wall_begin_[i + 1]; ++c) {
-      walls_.push(moved(old_.a[c], i), old_.b[c]);
-      walls_.near.back() = old_.near[c];
-    }
-    kept_wall_begin.push_back(walls_.count());
-  }
-  body_pairs_ = std::move(kept_pairs);
-  pair_begin_ = std::move(kept_begin);
-  wall_begin_ = std::move(kept_wall_begin);
-
-  placed.resize(to);
-  is_needed_.assign(to, 0);
-  needed_.clear();
-  first_sphere_.clear();
-  for (const std::int32_t first : new_first)
-    if (first != kDropped) first_sphere_.push_back(static_cast<std::size_t>(first));
-  first_sphere_.push_back(to);
+  renumber_candidates(to);
   for (auto* array : {&until_.bodies, &until_.spheres, &until_.near})
     for (std::size_t i = 0; i < new_index.size(); ++i)
       if (new_index[i] >= 0) (*array)[static_cast<std::size_t>(new_index[i])] = (*array)[i];
   until_.resize(bodies.count, bodies.padded());
   link_pairs(bodies.count);
   gather_near();
+}
+
+/// Spheres of the bodies that stay move down to their new places.
+ContactList::Renumbering ContactList::move_spheres(std::span<const int> new_index) {
+  Renumbering renumbering{new_index, std::move(first_sphere_), {}};
+  const std::vector<std::size_t>& old_first = renumbering.old_first;
+  first_sphere_.clear();
+  std::size_t to = 1;
+  for (std::size_t i = 0; i < new_index.size(); ++i) {
+    const bool stays = new_index[i] >= 0;
+    renumbering.new_first.push_back(stays ? static_cast<std::int32_t>(to) : Renumbering::kDropped);
+    if (!stays) continue;
+    first_sphere_.push_back(to);
+    for (std::size_t s = old_first[i]; s < old_first[i + 1]; ++s, ++to) {
+      placed[to] = placed[s];
+      placed[to].body = new_index[i];
+    }
+  }
+  first_sphere_.push_back(to);
+  placed.resize(to);
+  is_needed_.assign(to, 0);
+  needed_.clear();
+  return renumbering;
+}
+
+/// Candidates of dropped bodies go; the others keep their order, because renumbering keeps the order of
+/// bodies.
+void ContactList::renumber_candidates(const Renumbering& to) {
+  std::swap(old_, pairs_);
+  pairs_.clear();
+  std::vector<BodyPair> kept_pairs;
+  std::vector<std::size_t> kept_begin(1, 0);
+  for (std::size_t p = 0; p < body_pairs_.size(); ++p) {
+    const auto i = static_cast<std::size_t>(body_pairs_[p].i), j = static_cast<std::size_t>(body_pairs_[p].j);
+    if (to.body[i] < 0 || to.body[j] < 0) continue;
+    kept_pairs.push_back({to.body[i], to.body[j]});
+    for (std::size_t c = pair_begin_[p]; c < pair_begin_[p + 1]; ++c)
+      pairs_.push(to.moved(old_.a[c], i), to.moved(old_.b[c], j), old_.near[c]);
+    kept_begin.push_back(pairs_.count());
+  }
+  body_pairs_ = std::move(kept_pairs);
+  pair_begin_ = std::move(kept_begin);
+
+  std::swap(old_, walls_);
+  walls_.clear();
+  std::vector<std::size_t> kept_wall_begin(1, 0);
+  for (std::size_t i = 0; i + 1 < wall_begin_.size(); ++i) {
+    if (to.body[i] < 0) continue;
+    for (std::size_t c = wall_begin_[i]; c < wall_begin_[i + 1]; ++c)
+      walls_.push(to.moved(old_.a[c], i), old_.b[c], old_.near[c]);
+    kept_wall_begin.push_back(walls_.count());
+  }
+  wall_begin_ = std::move(kept_wall_begin);
 }
 
 void ContactList::hand_over_wall(int from, int to, double side) {

@@ -25,8 +25,7 @@ namespace repose {
 ///
 /// 1: a share is skins.bodies/2; all bodies are listed at once.
 /// 2: a share is skins.spheres/2; a body that has used it up is listed anew with all its pairs.
-/// 3: a share is what the body travels in some steps at its present pace. A candidate is near unless
-/// its
+/// 3: a share is what the body travels in some steps at its present pace. A candidate is near unless its
 ///    gap is beyond what both bodies have left of their shares. At rest a look lasts thousands of steps.
 ///
 /// Wall candidates follow the same rules with the wall as the second body. Candidates are sorted by bodies
@@ -88,6 +87,9 @@ class ContactList {
   [[nodiscard]] static bool walls_moved(std::span<const Wall> now, std::span<const Wall> then, double share);
   void append_spheres(const Bodies& bodies, std::size_t i);
   void copy_shapes(const Bodies& bodies);
+  struct Renumbering;
+  Renumbering move_spheres(std::span<const int> new_index);
+  void renumber_candidates(const Renumbering& to);
   void place(const Bodies& bodies, std::size_t sphere);
 
   // Level 1.

@@ -113,8 +113,8 @@ REPOSE_INLINE void pair_law_twice(const ForceStep& step, ContactList& list, cons
   const ContactTiming<Twin> timing{step.dt, step.lag, step.booked, step.leads ? &lead : nullptr};
   const ContactForces<Twin> f = contact_forces<kModel>(step.pair_law, twin(a.contact, b.contact),
                                                        twin(a.motion, b.motion), timing, history);
-  keep(first_of(f), first_of(history), kSpring, step, list, touching, first, a, sum);
-  keep(second_of(f), second_of(history), kSpring, step, list, touching, first + kSimdWidth, b, sum);
+  keep(half_of<0>(f), half_of<0>(history), kSpring, step, list, touching, first, a, sum);
+  keep(half_of<1>(f), half_of<1>(history), kSpring, step, list, touching, first + kSimdWidth, b, sum);
 }
 
 /// The same for a block that is left over.
