@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <stdexcept>
@@ -30,6 +31,7 @@ class Pass {
         options_(options),
         progress_(begin) {
     threads_ = options.threads > 0 ? options.threads : omp_get_max_threads();
+    left_to_make_ = todo_.size();
     started_.assign(todo_.size(), std::nullopt);
     finished_.assign(todo_.size(), false);
     std::stable_sort(todo_.begin(), todo_.end(), [&](std::size_t a, std::size_t b) {
@@ -40,8 +42,12 @@ class Pass {
   SweepSummary run() {
     report(true);
     const auto count = static_cast<std::int64_t>(todo_.size());
-#pragma omp parallel for schedule(monotonic : dynamic, 1) num_threads(threads_)
-    for (std::int64_t i = 0; i < count; ++i) one(static_cast<std::size_t>(i));
+#pragma omp parallel num_threads(threads_)
+    {
+#pragma omp for schedule(monotonic : dynamic, 1) nowait
+      for (std::int64_t i = 0; i < count; ++i) one(static_cast<std::size_t>(i));
+      help_others();
+    }
     if (fault_) std::rethrow_exception(fault_);
     summary_.interrupted = progress_.left > 0;
     summary_.wall_s = seconds_since(begin_);
@@ -53,13 +59,21 @@ class Pass {
 
   /// No exception may leave the body of a parallel loop.
   void one(std::size_t index) {
+    make(index);
+    const std::lock_guard lock(mutex_);
+    --left_to_make_;
+    changed_.notify_all();
+  }
+
+  void make(std::size_t index) {
     try {
       if (!start(index)) return;
       const PlannedRun& planned = plan_.runs[todo_[index]];
       RunResult result;
       std::optional<std::string> failure;
       try {
-        result = options_.run(plan_.points[planned.point].scene, planned.seed, run_options());
+        const OpenCrew open(*this, index);
+        result = options_.run(plan_.points[planned.point].scene, planned.seed, run_options(open.crew));
       } catch (const std::exception& error) {
         failure = error.what();
         result.seed = planned.seed;
@@ -72,8 +86,49 @@ class Pass {
     }
   }
 
-  RunOptions run_options() {
+  /// A run's crew, which idle threads may join until the run ends.
+  class OpenCrew {
+   public:
+    OpenCrew(Pass& pass, std::size_t index) : pass_(pass), index_(index) {
+      const std::lock_guard lock(pass_.mutex_);
+      pass_.crews_[index_] = crew;
+      pass_.changed_.notify_all();
+    }
+    ~OpenCrew() {
+      const std::lock_guard lock(pass_.mutex_);
+      pass_.crews_.erase(index_);
+      crew->dismiss();
+    }
+    OpenCrew(const OpenCrew&) = delete;
+    OpenCrew& operator=(const OpenCrew&) = delete;
+
+    const std::shared_ptr<Crew> crew = std::make_shared<Crew>();
+
+   private:
+    Pass& pass_;
+    std::size_t index_;
+  };
+
+  /// Until all runs have ended; for a thread that finds none to start.
+  void help_others() {
+    std::unique_lock lock(mutex_);
+    while (left_to_make_ > 0) {
+      const auto fewest =
+          std::ranges::min_element(crews_, {}, [](const auto& of_run) { return of_run.second->joined(); });
+      if (fewest == crews_.end() || fewest->second->is_full()) {
+        changed_.wait(lock);
+        continue;
+      }
+      const std::shared_ptr<Crew> crew = fewest->second;
+      lock.unlock();
+      crew->help();
+      lock.lock();
+    }
+  }
+
+  RunOptions run_options(std::shared_ptr<Crew> crew) {
     RunOptions options;
+    options.crew = std::move(crew);
     options.stop = options_.stop;
     options.on_progress = [this](const Progress&) {
       const std::unique_lock lock(mutex_, std::try_to_lock);
@@ -171,6 +226,9 @@ class Pass {
   const Clock::time_point begin_ = Clock::now();
 
   std::mutex mutex_;
+  std::size_t left_to_make_ = 0;                        ///< of todo_, with those under way
+  std::condition_variable changed_;                     ///< of a run that begins or ends
+  std::map<std::size_t, std::shared_ptr<Crew>> crews_;  ///< of the runs under way
   SweepProgress progress_;
   SweepSummary summary_;
   Clock::time_point reported_{};

@@ -29,7 +29,7 @@ struct SweepProgress {
 };
 
 struct SweepOptions {
-  int threads = 0;  ///< runs at a time; 0: one a processor
+  int threads = 0;  ///< runs at a time, until fewer are left; 0: one a processor
   Shard shard;
   /// Set (by a signal handler, say): no run is started any more, runs under way end `interrupted` and are not
   /// stored.
@@ -55,7 +55,8 @@ struct SweepSummary {
   double cpu_s = 0.0;  ///< of the runs of this call
 };
 
-/// Makes runs of a plan in parallel, one thread a run, the longest first, and stores each as it ends. What is
+/// Makes runs of a plan in parallel, one thread a run, the longest first, and stores each as it ends. Threads
+/// that find no run left help those under way. What is
 /// stored does not depend on threads, order or interruptions. A run that throws is stored as `failed` and the
 /// others go on.
 /// @param todo   indices into plan.runs

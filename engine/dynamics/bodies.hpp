@@ -34,6 +34,12 @@ struct alignas(64) BodyLoad {
   double rolling = 0.0;   ///< type_a: Σ μr |F_n| R_i [N m]
   double torque[3] = {};  ///< about the centre of mass, world frame [N m]
   double contacts = 0.0;  ///< number of sphere contacts with other bodies and walls
+
+  BodyLoad& operator+=(const BodyLoad& more) {
+    for (int k = 0; k < 3; ++k) force[k] += more.force[k], torque[k] += more.torque[k];
+    rolling += more.rolling, contacts += more.contacts;
+    return *this;
+  }
 };
 
 /// Where a body's spheres are: the world axes of its principal frame, one column a row of four, and its
@@ -93,6 +99,8 @@ struct Bodies {
   /// dropped.
   std::vector<int> retain(std::span<const char> keep);
 
+  /// The load at an offset in doubles.
+  [[nodiscard]] BodyLoad& load_at(std::int32_t offset) { return load[static_cast<std::size_t>(offset) / 8]; }
   [[nodiscard]] Vec3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
   [[nodiscard]] Vec3 velocity(std::size_t i) const { return Vec3(motion[i].velocity); }
   [[nodiscard]] Vec3 angular_velocity(std::size_t i) const { return Vec3(motion[i].w); }

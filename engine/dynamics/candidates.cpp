@@ -1,9 +1,5 @@
 #include "engine/dynamics/candidates.hpp"
 
-#include <algorithm>
-#include <bit>
-#include <cstring>
-
 namespace repose {
 
 void CandidateArrays::append(const CandidateArrays& from, std::size_t begin, std::size_t end) {
@@ -30,24 +26,23 @@ void NearList::set(std::size_t k, std::int32_t a, std::int32_t b, std::span<cons
   sphere_b[k] = of_walls ? b : kLine * b, body_b[k] = of_walls ? 0 : body_of(b);
 }
 
+void NearList::append(std::int32_t a, std::int32_t b, std::span<const PlacedSphere> placed,
+                      const NearList& from, std::size_t k) {
+  make_room(count + 2 * kBlock);
+  if (count % kBlock == 0) touching.push_back(0);
+  touching.back() = static_cast<std::uint8_t>(touching.back() | (1U << (count % kBlock)));
+  set(count, a, b, placed);
+  copy_history(from, k, count++);
+}
+
 void NearList::gather(const CandidateArrays& candidates, std::span<const PlacedSphere> placed,
                       const NearList& old) {
-  static_assert(std::endian::native == std::endian::little);
-  constexpr std::size_t kAtOnce = sizeof(std::uint64_t);
-  touching.clear();
-  count = 0;
-  const std::size_t n = candidates.count();
-  for (std::size_t c = 0; c < n; c += kAtOnce) {
-    std::uint64_t flags = 0;  // a byte a candidate
-    std::memcpy(&flags, candidates.near.data() + c, std::min(kAtOnce, n - c));
-    if (flags == 0) continue;
+  clear();
+  for_each_flag(candidates.near, [&](std::size_t c) {
     make_room(count + 2 * kBlock);
-    for (; flags != 0; flags &= flags - 1) {
-      const std::size_t at = c + static_cast<std::size_t>(std::countr_zero(flags)) / 8;
-      set(count, candidates.a[at], candidates.b[at], placed);
-      forget(count++);
-    }
-  }
+    set(count, candidates.a[c], candidates.b[c], placed);
+    forget(count++);
+  });
   make_room(count + kBlock);
   touching.assign((count + kBlock - 1) / kBlock, 0);
   for (std::size_t k = count; k < blocks() * kBlock; ++k) {
@@ -65,17 +60,15 @@ void NearList::gather(const CandidateArrays& candidates, std::span<const PlacedS
     return together(list.sphere_a[at], list.sphere_b[at]);
   };
   std::size_t k = 0;
-  for (std::size_t was = 0; was < old.count; ++was) {
-    if (!old.touched(was)) continue;
+  old.for_each_touched([&](const NearList&, std::size_t was) {
     const std::int64_t of_bodies = bodies(old, was), of_spheres = spheres(old, was);
     while (k < count && (bodies(*this, k) < of_bodies ||
                          (bodies(*this, k) == of_bodies && spheres(*this, k) < of_spheres)))
       ++k;
-    if (k == count) break;
-    if (spheres(*this, k) != of_spheres) continue;
+    if (k == count || spheres(*this, k) != of_spheres) return;
     copy_history(old, was, k);
     touching[k / kBlock] = static_cast<std::uint8_t>(touching[k / kBlock] | (1U << (k % kBlock)));
-  }
+  });
 }
 
 }  // namespace repose

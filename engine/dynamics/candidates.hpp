@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -92,14 +95,21 @@ struct NearList {
     spring[k] = {};
     if (rolls) rolling[k] = {};
   }
+  /// visit(*this, k) for every candidate that touched at the last step, ascending.
+  template <class Visit>
+  void for_each_touched(Visit visit) const {
+    for (std::size_t block = 0; block < blocks(); ++block)
+      for (unsigned bits = touching[block]; bits != 0; bits &= bits - 1)
+        visit(*this, block * kBlock + static_cast<std::size_t>(std::countr_zero(bits)));
+  }
+  void clear() { touching.clear(), count = 0; }
+  /// Adds a candidate that touches and remembers what candidate k of another list does.
+  void append(std::int32_t a, std::int32_t b, std::span<const PlacedSphere> placed, const NearList& from,
+              std::size_t k);
   /// Takes the candidates whose `near` is set. Of those that touched, the ones that are near keep what `old`,
   /// this list as it was before, remembers of them; the others forget. The padding is the dummy of `placed`
   /// against itself.
   void gather(const CandidateArrays& candidates, std::span<const PlacedSphere> placed, const NearList& old);
-  /// Follows a renumbering of spheres that keeps their order: new_place(sphere), < 0 for one that is dropped.
-  /// `placed` holds them in their new places.
-  template <class NewPlace>
-  void renumber(NewPlace new_place, std::span<const PlacedSphere> placed);
 
  private:
   void make_room(std::size_t entries);
@@ -110,22 +120,16 @@ struct NearList {
   }
 };
 
-template <class NewPlace>
-void NearList::renumber(NewPlace new_place, std::span<const PlacedSphere> placed) {
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::int32_t a = new_place(static_cast<std::int32_t>(first(k)));
-    const std::int32_t b = of_walls ? sphere_b[k] : new_place(static_cast<std::int32_t>(second(k)));
-    if (a < 0 || b < 0) continue;
-    const auto bit = static_cast<unsigned>(touched(k));
-    set(kept, a, b, placed);
-    copy_history(*this, k, kept);
-    const unsigned shift = kept % kBlock;
-    touching[kept / kBlock] =
-        static_cast<std::uint8_t>((touching[kept / kBlock] & ~(1U << shift)) | (bit << shift));
-    ++kept;
+/// visit(k) for every flag k that is not 0, ascending; most are 0.
+template <class Visit>
+void for_each_flag(std::span<const std::uint8_t> flags, Visit visit) {
+  static_assert(std::endian::native == std::endian::little);
+  constexpr std::size_t kAtOnce = sizeof(std::uint64_t);
+  for (std::size_t first = 0; first < flags.size(); first += kAtOnce) {
+    std::uint64_t some = 0;  // a byte a flag, each 0 or 1
+    std::memcpy(&some, flags.data() + first, std::min(kAtOnce, flags.size() - first));
+    for (; some != 0; some &= some - 1) visit(first + static_cast<std::size_t>(std::countr_zero(some)) / 8);
   }
-  count = kept;
 }
 
 }  // namespace repose

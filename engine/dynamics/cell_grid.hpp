@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -7,7 +8,7 @@
 namespace repose {
 
 struct BodyPair {
-  int i = 0;  ///< i < j
+  int i = 0;  ///< i > j
   int j = 0;
   friend auto operator<=>(const BodyPair&, const BodyPair&) = default;
 };
@@ -18,10 +19,33 @@ struct SearchSpheres {
   [[nodiscard]] std::size_t size() const { return x.size(); }
 };
 
-/// All pairs of spheres with a gap below `skin`, each once, sorted: |x_i − x_j| < r_i + r_j + skin.
-/// A uniform grid with cells of the largest diameter plus the skin; where strays would make it larger than a
-/// few cells a body, cells grow instead. Cost is linear in the number of spheres for sizes of one order.
-/// Requires finite coordinates.
+/// A uniform grid that finds the pairs of spheres with a gap below `skin`: |x_i − x_j| < r_i + r_j + skin.
+/// Its cells are of the largest diameter plus the skin; where strays would make it larger than a few cells a
+/// body, cells grow instead. Cost is linear in the number of spheres for sizes of one order. Requires finite
+/// coordinates, which the grid looks at again: they have to outlive it.
+class CellGrid {
+ public:
+  CellGrid(const SearchSpheres& spheres, double skin);
+
+  /// Appends the pairs of sphere i with spheres of smaller numbers, sorted.
+  void append_pairs_of(std::size_t i, std::vector<BodyPair>& pairs) const;
+
+ private:
+  void choose_cells(double edge);
+  void sort_into_cells();
+  [[nodiscard]] int along(int axis, double coordinate) const;
+  [[nodiscard]] int index(int cx, int cy, int cz) const { return (cz * cells_[1] + cy) * cells_[0] + cx; }
+
+  SearchSpheres spheres_;
+  double skin_;
+  std::array<double, 3> low_{};
+  std::array<int, 3> cells_{1, 1, 1};
+  double edge_ = 1.0;
+  // Members of cell c are order_[begin_[c]] … order_[begin_[c+1]−1], ascending.
+  std::vector<int> begin_, order_;
+};
+
+/// All pairs of a CellGrid, each once, sorted.
 std::vector<BodyPair> near_pairs(const SearchSpheres& spheres, double skin);
 
 }  // namespace repose

@@ -23,7 +23,7 @@ struct BlockSide {
 };
 
 /// @param sphere, body  offsets of the records, TouchingList
-REPOSE_INLINE BlockSide load_side(const Bodies& bodies, const std::vector<PlacedSphere>& placed,
+REPOSE_INLINE BlockSide load_side(const Bodies& bodies, std::span<const PlacedSphere> placed,
                                   const std::int32_t* sphere, const std::int32_t* body) {
   BlockSide side;
   const Fields8 s = load_fields8(placed.data()->centre, sphere);

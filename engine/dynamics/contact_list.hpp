@@ -1,13 +1,12 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "engine/base/crew.hpp"
 #include "engine/dynamics/bodies.hpp"
-#include "engine/dynamics/candidates.hpp"
-#include "engine/dynamics/cell_grid.hpp"
+#include "engine/dynamics/section.hpp"
 #include "engine/dynamics/wall.hpp"
 
 namespace repose {
@@ -29,7 +28,8 @@ namespace repose {
 ///    gap is beyond what both bodies have left of their shares. At rest a look lasts thousands of steps.
 ///
 /// Wall candidates follow the same rules with the wall as the second body. Candidates are sorted by bodies
-/// and spheres, so that results do not depend on skins or shares to the last bit.
+/// and spheres, so that results do not depend on skins or shares to the last bit. They are kept by sections
+/// of bodies, which the members of a crew work through at the same time.
 class ContactList {
  public:
   static constexpr double kFarthest = 1e3;  ///< [m]
@@ -39,39 +39,44 @@ class ContactList {
     double spheres = 0.0;  ///< s2 [m]
   };
 
-  /// @param dt     Δt [s]
-  /// @param rolls  contacts remember a rolling spring
-  ContactList(Skins skins, double dt, bool rolls)
-      : near_pairs(false, rolls),
-        near_walls(true, rolls),
-        skins_(skins),
-        dt_(dt),
-        old_near_pairs_(false, rolls),
-        old_near_walls_(true, rolls) {}
+  /// @param dt              Δt [s]
+  /// @param rolls           contacts remember a rolling spring
+  /// @param section_bodies  of each section, a multiple of Bodies::kPadding
+  ContactList(Skins skins, double dt, bool rolls, std::size_t section_bodies)
+      : skins_(skins), dt_(dt), rolls_(rolls), section_bodies_(section_bodies) {}
 
   /// Brings all levels up to date where some body or wall has used up its share. Contacts that stay keep
   /// their history. Returns false, with nothing changed, where a coordinate is not finite or farther than
   /// kFarthest from the origin: the motion has diverged.
-  [[nodiscard]] bool update(const Bodies& bodies, std::span<const Wall> walls);
+  [[nodiscard]] bool update(const Bodies& bodies, std::span<const Wall> walls, Crew& crew);
   /// A body was appended (Bodies::add).
   void add_body(const Bodies& bodies);
   /// Follows a renumbering of bodies (Bodies::retain); dropped bodies lose their contacts.
-  void renumber(const Bodies& bodies, std::span<const int> new_index);
+  void renumber(const Bodies& bodies, std::span<const int> new_index, Crew& crew);
   /// Wall candidates of wall `from` become those of wall `to` where the sphere's centre satisfies x·side > 0:
   /// the cylinder parts into halves and contacts keep their history.
   void hand_over_wall(int from, int to, double side);
 
-  /// Places every sphere that a near candidate needs: centre = x + Σ_k axes_k · local_k.
-  void place_spheres(const Bodies& bodies);
+  /// Places every sphere of a section that a near candidate needs: centre = x + Σ_k axes_k · local_k.
+  void place_spheres(const Bodies& bodies, const Section& section);
 
   /// All spheres, grouped by body, ascending, behind the dummy at 0 that touches nothing. Up to date where a
   /// near candidate needs it. Only lines that are needed are ever touched, which is why the array may hold
   /// all.
   std::vector<PlacedSphere> placed{1};
-  NearList near_pairs;
-  NearList near_walls;
+  std::vector<Section> sections;  ///< by their bodies; only the last is not full
 
-  [[nodiscard]] std::span<const BodyPair> body_pairs() const { return body_pairs_; }
+  /// visit(list, k) for every pair that touched at the last step, ascending.
+  template <class Visit>
+  void for_each_pair(Visit visit) const {
+    for (const Section& section : sections) section.near_pairs.for_each_touched(visit);
+  }
+  /// The same for spheres at walls.
+  template <class Visit>
+  void for_each_at_wall(Visit visit) const {
+    for (const Section& section : sections) section.near_walls.for_each_touched(visit);
+  }
+
   [[nodiscard]] long updates() const { return updates_; }  ///< of candidates
   [[nodiscard]] long looks() const { return looks_; }      ///< of near candidates
 
@@ -87,45 +92,60 @@ class ContactList {
   [[nodiscard]] static bool walls_moved(std::span<const Wall> now, std::span<const Wall> then, double share);
   void append_spheres(const Bodies& bodies, std::size_t i);
   void copy_shapes(const Bodies& bodies);
+  void place(const Bodies& bodies, PlacedSphere& sphere) const;
+  template <class Work>
+  void each_section(Crew& crew, Work work) {
+    crew.each(sections.size(), [&](std::size_t s) { work(sections[s]); });
+  }
+
+  // Bodies that go.
   struct Renumbering;
   Renumbering move_spheres(std::span<const int> new_index);
-  void renumber_candidates(const Renumbering& to);
-  void place(const Bodies& bodies, std::size_t sphere);
+  void move_lists(const Renumbering& to, std::size_t first_section);
+  void move_candidates(const Renumbering& to, const Section& from);
+  void move_contacts(const Renumbering& to, const Section& from);
+  [[nodiscard]] Section& section_of(std::size_t body) { return sections[body / section_bodies_]; }
 
   // Level 1.
-  void list_bodies(const Bodies& bodies);
-  void link_pairs(std::size_t count);
+  [[nodiscard]] static SearchSpheres search_spheres(const Bodies& bodies);
 
   // Level 2.
-  /// Returns whether the walls' candidates were all listed anew.
-  bool list_candidates(const Bodies& bodies, std::span<const Wall> walls, bool bodies_listed);
-  void flag_moved(const Bodies& bodies);
-  void flag_new_pairs();
-  void list_pairs(const Bodies& bodies);
-  void list_pair(const Bodies& bodies, const BodyPair& pair);
-  bool list_walls(const Bodies& bodies, std::span<const Wall> walls);
-  void list_walls_of(const Bodies& bodies, std::size_t i, std::span<const Wall> walls);
-  void place_all(const Bodies& bodies, std::size_t i);
-  /// Spheres of one body that reach into the bounding sphere of another.
-  struct Reaching {
-    std::vector<std::int32_t> sphere;     ///< in `placed`
-    std::vector<double> x, y, z, radius;  ///< padded to whole vectors with spheres that are far from all
-    std::size_t count = 0;
+  struct Relist {
+    bool bodies = false;  ///< level 1 first
+    bool walls = false;   ///< the wall candidates of all bodies
   };
+  void list_candidates(const Bodies& bodies, std::span<const Wall> walls, Relist anew, Crew& crew);
+  void flag_moved(const Bodies& bodies);
+  void begin_listing(Section& section, const CellGrid* grid);
+  void flag_to_place(const Bodies& bodies, const Section& section);
+  [[nodiscard]] bool is_to_list(const BodyPair& pair) const;
+  [[nodiscard]] bool in_reach(const Bodies& bodies, const BodyPair& pair) const;
+  void list_pairs(const Bodies& bodies, Section& section) const;
+  void list_walls(const Bodies& bodies, std::span<const Wall> walls, bool all, Section& section);
+  void list_walls_of(const Bodies& bodies, std::size_t i, std::span<const Wall> walls, CandidateArrays& to);
+  void place_all(const Bodies& bodies, std::size_t i);
+  struct Reaching;
   void find_reaching(const Bodies& bodies, std::size_t of, std::size_t into, Reaching& found) const;
+  void list_pair(const Bodies& bodies, const BodyPair& pair, Reaching& of_i, Reaching& of_j,
+                 CandidateArrays& to) const;
 
   // Level 3.
-  void look_near(const Bodies& bodies, std::span<const Wall> walls, bool walls_used_up);
-  void share_out(const Bodies& bodies);
-  void look_at_pair(const Bodies& bodies, std::size_t pair);
-  void look_at_walls(const Bodies& bodies, std::size_t i);
-  void gather_near();
+  void look_near(const Bodies& bodies, std::span<const Wall> walls, bool all_walls, Crew& crew);
+  void share_out(const Bodies& bodies, const Section& section);
+  void share_out_walls(std::span<const Wall> walls);
+  void look_at(const Bodies& bodies, bool all_walls, Section& section);
+  void look_at_pair(const Bodies& bodies, Section& section, std::size_t pair) const;
+  void look_at_walls(const Bodies& bodies, Section& section, std::size_t i) const;
+  void flag_needed(const Section& section);
+  void collect_needed(Section& section) const;
   [[nodiscard]] double left(const Bodies& bodies, std::size_t i) const {
     return until_.near[i] - bodies.travel[i];
   }
 
   Skins skins_;
   double dt_;
+  bool rolls_;
+  std::size_t section_bodies_;
   bool renumbered_ = true;  ///< bodies or walls have other numbers than when candidates were listed
   long updates_ = 0, looks_ = 0;
 
@@ -137,27 +157,14 @@ class ContactList {
   std::vector<std::size_t> first_sphere_{1};  ///< of each body in `placed`, and one past the last
   std::vector<LocalSphere> local_;            ///< of all shapes, of scale 1
   std::vector<std::int32_t> local_of_shape_;  ///< where each shape's begin
-  CandidateArrays pairs_, walls_;             ///< of pairs of bodies, of bodies and walls
-  std::vector<BodyPair> body_pairs_;          ///< sorted
-  std::vector<std::size_t> pair_first_;  ///< pairs with body i as first: pair_first_[i] … pair_first_[i+1]−1
-  std::vector<std::size_t> second_first_, second_;  ///< pairs with body i as second, in the same way
-  std::vector<std::size_t> pair_begin_{
-      0};  ///< candidates of body pair p: pair_begin_[p] … pair_begin_[p+1]−1
-  std::vector<std::size_t> wall_begin_{0};  ///< wall candidates of body i, in the same way
-  std::vector<std::int32_t> needed_;        ///< placed spheres that a near candidate needs
-  std::vector<std::uint8_t> is_needed_{0};
 
-  // Scratch of one listing or look, kept to save allocations.
-  std::vector<char> moved_;       ///< bodies to list anew
-  std::vector<char> all_placed_;  ///< bodies whose spheres are all placed in this listing
-  std::vector<std::size_t> looked_;
-  std::vector<char> is_looked_;
-  std::vector<std::size_t> next_;
-  Reaching reach_a_, reach_b_;
-  CandidateArrays old_;
-  NearList old_near_pairs_, old_near_walls_;
-  std::vector<BodyPair> old_body_pairs_;
-  std::vector<std::size_t> old_pair_begin_, old_wall_begin_;
+  // Flags of bodies and spheres; those that several sections may raise are raised by raise().
+  using Flag = std::uint8_t;
+  static void raise(Flag& flag);
+  std::vector<Flag> is_needed_{0};  ///< spheres
+  std::vector<Flag> moved_;         ///< bodies to list anew
+  std::vector<Flag> to_place_;      ///< bodies whose spheres are placed for this listing
+  std::vector<Flag> is_looked_;
 };
 
 }  // namespace repose

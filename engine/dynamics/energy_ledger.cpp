@@ -47,19 +47,16 @@ ContactSurvey survey_contacts(const ForceStep& step, RollingModel model, const B
   ContactSurvey survey;
   if (bodies.count == 0) return survey;
   const std::vector<PlacedSphere>& placed = contacts.placed;
-  const NearList& pairs = contacts.near_pairs;
-  for (std::size_t k = 0; k < pairs.count; ++k)
-    if (pairs.touched(k))
-      add_contact(step.pair_law, model, touch_of(placed[pairs.first(k)], placed[pairs.second(k)]),
-                  pairs.spring[k], rolling_of(pairs, k), survey);
-  const NearList& at_walls = contacts.near_walls;
-  for (std::size_t k = 0; k < at_walls.count; ++k) {
-    if (!at_walls.touched(k)) continue;
-    const PlacedSphere& s = placed[at_walls.first(k)];
-    const WallDistance wall = distance_to(walls[at_walls.second(k)], Vec3(s.centre));
-    add_contact(step.wall_law, model, {s.radius - wall.distance, s.radius, s.radius}, at_walls.spring[k],
-                rolling_of(at_walls, k), survey);
-  }
+  contacts.for_each_pair([&](const NearList& near, std::size_t k) {
+    add_contact(step.pair_law, model, touch_of(placed[near.first(k)], placed[near.second(k)]), near.spring[k],
+                rolling_of(near, k), survey);
+  });
+  contacts.for_each_at_wall([&](const NearList& near, std::size_t k) {
+    const PlacedSphere& s = placed[near.first(k)];
+    const WallDistance wall = distance_to(walls[near.second(k)], Vec3(s.centre));
+    add_contact(step.wall_law, model, {s.radius - wall.distance, s.radius, s.radius}, near.spring[k],
+                rolling_of(near, k), survey);
+  });
   return survey;
 }
 

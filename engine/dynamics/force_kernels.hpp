@@ -24,6 +24,12 @@ struct ForceStep {
 /// Work of all contacts of one step, see ContactPower; `wall` is what moving walls did on the bodies [J].
 struct ContactWork {
   double normal_damping = 0.0, tangential_damping = 0.0, spring = 0.0, rolling = 0.0, wall = 0.0;
+
+  ContactWork& operator+=(const ContactWork& more) {
+    normal_damping += more.normal_damping, tangential_damping += more.tangential_damping;
+    spring += more.spring, rolling += more.rolling, wall += more.wall;
+    return *this;
+  }
 };
 
 /// The contacts of a step, ascending by candidate, as offsets of their records in doubles; padded with the
@@ -48,17 +54,31 @@ struct TouchingList {
   void finish();
 };
 
+/// What contacts of one share put on bodies of others, in the order of the contacts. These bodies have
+/// smaller numbers than those of the share, because a contact belongs to its body of the greater number. So a
+/// body's loads are added up in one order whatever the shares: first its own contacts, then those with bodies
+/// of greater numbers, ascending.
+struct LoadsBeyond {
+  std::int32_t first = 0;          ///< offset of the first BodyLoad of the share
+  std::vector<std::int32_t> body;  ///< offset of the BodyLoad of each of the others
+  std::vector<BodyLoad> load;
+
+  void start(std::int32_t first_of_share) { first = first_of_share, body.clear(), load.clear(); }
+};
+
 struct TouchingWalls : TouchingList {
   std::vector<double> nx, ny, nz, overlap;  ///< geometry at the wall
 };
 
-/// The kernels of one rolling model. Each returns the work of its contacts, adds forces and torques to
-/// Bodies::load and brings the history of its contacts to this step; contacts are taken in the order of the
-/// candidates, so sums do not depend on how they are grouped.
+/// The kernels of one rolling model. Each returns the work of a section's contacts, adds forces and torques
+/// to Bodies::load, or to `beyond`, and brings the history of its contacts to this step; contacts are taken
+/// in the order of the candidates, so sums do not depend on how they are grouped.
 struct ForceKernels {
-  ContactWork (*pairs)(const ForceStep&, Bodies&, ContactList&, TouchingList& touching) = nullptr;
-  ContactWork (*walls)(const ForceStep&, Bodies&, ContactList&, std::span<const Wall>,
-                       TouchingWalls& touching) = nullptr;
+  using Placed = std::span<const PlacedSphere>;
+  ContactWork (*pairs)(const ForceStep&, Bodies&, Placed, NearList& near, TouchingList&,
+                       LoadsBeyond& beyond) = nullptr;
+  ContactWork (*walls)(const ForceStep&, Bodies&, Placed, NearList& near, std::span<const Wall>,
+                       TouchingWalls&) = nullptr;
 };
 
 /// The kernels for a rolling model, chosen once per run.

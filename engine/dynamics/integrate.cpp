@@ -230,12 +230,12 @@ REPOSE_INLINE T softest_axis(const Bodies& bodies, std::size_t first) {
 }
 
 template <Integrator kIntegrator>
-double integrate_all(Bodies& bodies, const MotionStep& step) {
+double integrate_range(Bodies& bodies, const MotionStep& step, std::size_t begin, std::size_t end) {
   const double dt = step.dt;
   double* motions = bodies.motion.data()->velocity;
   double* loads = bodies.load.data()->force;
   T taken_energy = 0.0;
-  for (std::size_t first = 0; first < bodies.padded(); first += kSimdWidth) {
+  for (std::size_t first = begin; first < end; first += kSimdWidth) {
     const LaneOffsets at = neighbours(first, 8);
     Fields8 motion = load_fields8(motions, at.data());
     const Fields8 sum = load_fields8(loads, at.data());
@@ -262,14 +262,15 @@ double integrate_all(Bodies& bodies, const MotionStep& step) {
 
 }  // namespace
 
-double integrate(Bodies& bodies, const MotionStep& step) {
+double integrate(Bodies& bodies, const MotionStep& step, std::size_t first, std::size_t last) {
+  if (last == bodies.count) last = bodies.padded();
   switch (step.integrator) {
     case Integrator::symplectic_euler:
-      return integrate_all<Integrator::symplectic_euler>(bodies, step);
+      return integrate_range<Integrator::symplectic_euler>(bodies, step, first, last);
     case Integrator::velocity_verlet:
-      return integrate_all<Integrator::velocity_verlet>(bodies, step);
+      return integrate_range<Integrator::velocity_verlet>(bodies, step, first, last);
     case Integrator::explicit_euler:
-      return integrate_all<Integrator::explicit_euler>(bodies, step);
+      return integrate_range<Integrator::explicit_euler>(bodies, step, first, last);
   }
   return 0.0;
 }

@@ -46,7 +46,13 @@ struct MotionStep {
 /// step of a heap at rest, which then keeps moving; RollingTorque::unlimited takes it away.
 /// Bodies::travel grows by what the fastest point of each body may have moved: Δt |v| and, for the turns, at
 /// most swing times the sum of their angles (Cayley's 2 atan(φ/2) ≤ φ).
-/// @return the energy that rolling resistance of type_a took [J]
-double integrate(Bodies& bodies, const MotionStep& step);
+/// @param first, last  the bodies to move: first is a multiple of Bodies::kPadding, and last, too, unless it
+/// is bodies.count
+/// @return the energy that rolling resistance of type_a took from them [J]
+double integrate(Bodies& bodies, const MotionStep& step, std::size_t first, std::size_t last);
+/// All bodies.
+inline double integrate(Bodies& bodies, const MotionStep& step) {
+  return integrate(bodies, step, 0, bodies.count);
+}
 
 }  // namespace repose

@@ -1,33 +1,53 @@
-// Level 2 of ContactList: candidates.
+// Levels 1 and 2 of ContactList: pairs of bodies and their candidates.
 
 #include <bit>
 #include <cmath>
+#include <optional>
 
 #include "engine/dynamics/contact_list.hpp"
 #include "engine/dynamics/simd_records.hpp"
 
 namespace repose {
 
-bool ContactList::list_candidates(const Bodies& bodies, std::span<const Wall> walls, bool bodies_listed) {
+/// Spheres of one body that reach into the bounding sphere of another.
+struct ContactList::Reaching {
+  std::vector<std::int32_t> sphere;     ///< in `placed`
+  std::vector<double> x, y, z, radius;  ///< padded to whole vectors with spheres that are far from all
+  std::size_t count = 0;
+};
+
+/// Sections are listed in phases, since a pair needs the spheres of bodies of other sections: which bodies
+/// are to be listed, whose spheres that takes, these placed, and the candidates.
+void ContactList::list_candidates(const Bodies& bodies, std::span<const Wall> walls, Relist anew,
+                                  Crew& crew) {
   ++updates_;
   flag_moved(bodies);
-  if (bodies_listed)
-    flag_new_pairs();
-  else
-    old_body_pairs_ = body_pairs_;
-  all_placed_.assign(bodies.count, 0);
-  std::swap(old_pair_begin_, pair_begin_);
-  std::swap(old_, pairs_);
-  list_pairs(bodies);
-  std::swap(old_wall_begin_, wall_begin_);
-  std::swap(old_, walls_);
-  const bool walls_listed = list_walls(bodies, walls);
-  for (std::size_t i = 0; i < bodies.count; ++i) {
-    if (!moved_[i]) continue;
-    until_.spheres[i] = bodies.travel[i] + 0.5 * skins_.spheres;
-    is_looked_[i] = 1;
-  }
-  return walls_listed;
+  std::optional<CellGrid> grid;
+  if (anew.bodies) grid.emplace(search_spheres(bodies), skins_.bodies);
+  each_section(crew, [&](Section& section) { begin_listing(section, grid ? &*grid : nullptr); });
+  if (anew.bodies)
+    for (std::size_t i = 0; i < bodies.count; ++i) until_.bodies[i] = bodies.travel[i] + 0.5 * skins_.bodies;
+  each_section(crew, [&](const Section& section) { flag_to_place(bodies, section); });
+  each_section(crew, [&](const Section& section) {
+    for (std::size_t i = section.first; i < section.last; ++i)
+      if (to_place_[i]) place_all(bodies, i);
+  });
+  each_section(crew, [&](Section& section) {
+    list_pairs(bodies, section);
+    list_walls(bodies, walls, anew.walls, section);
+    for (std::size_t i = section.first; i < section.last; ++i) {
+      if (!moved_[i]) continue;
+      until_.spheres[i] = bodies.travel[i] + 0.5 * skins_.spheres;
+      is_looked_[i] = 1;
+    }
+  });
+}
+
+SearchSpheres ContactList::search_spheres(const Bodies& bodies) {
+  const auto first = [n = bodies.count](const std::vector<double>& array) {
+    return std::span(array.data(), n);
+  };
+  return {first(bodies.x), first(bodies.y), first(bodies.z), first(bodies.reach)};
 }
 
 /// Bodies that have used more than half of their share are listed with those that have used all of it, so
@@ -36,50 +56,80 @@ void ContactList::flag_moved(const Bodies& bodies) {
   moved_.resize(bodies.count);
   for (std::size_t i = 0; i < bodies.count; ++i)
     moved_[i] = bodies.travel[i] > until_.spheres[i] - 0.25 * skins_.spheres;
+  to_place_.assign(bodies.count, 0);
 }
 
-/// A pair that was not near at the last listing of bodies has no candidates to keep: both bodies are listed
-/// anew.
-void ContactList::flag_new_pairs() {
-  auto old = old_body_pairs_.begin();
-  for (const BodyPair& pair : body_pairs_) {
-    while (old != old_body_pairs_.end() && *old < pair) ++old;
-    if (old == old_body_pairs_.end() || *old != pair)
-      moved_[static_cast<std::size_t>(pair.i)] = moved_[static_cast<std::size_t>(pair.j)] = 1;
+/// Sets the lists of before aside. With a grid the pairs of bodies are found anew; a pair that was not near
+/// before has no candidates to keep: both its bodies are listed anew.
+void ContactList::begin_listing(Section& section, const CellGrid* grid) {
+  std::swap(section.old, section.lists);
+  std::vector<BodyPair>& pairs = section.lists.body_pairs;
+  const std::vector<BodyPair>& old_pairs = section.old.body_pairs;
+  if (grid == nullptr) {
+    pairs = old_pairs;
+    return;
+  }
+  pairs.clear();
+  for (std::size_t i = section.first; i < section.last; ++i) grid->append_pairs_of(i, pairs);
+  auto old = old_pairs.begin();
+  for (const BodyPair& pair : pairs) {
+    while (old != old_pairs.end() && *old < pair) ++old;
+    if (old != old_pairs.end() && *old == pair) continue;
+    raise(moved_[static_cast<std::size_t>(pair.i)]);
+    raise(moved_[static_cast<std::size_t>(pair.j)]);
+  }
+}
+
+bool ContactList::is_to_list(const BodyPair& pair) const {
+  return moved_[static_cast<std::size_t>(pair.i)] || moved_[static_cast<std::size_t>(pair.j)];
+}
+
+bool ContactList::in_reach(const Bodies& bodies, const BodyPair& pair) const {
+  const auto i = static_cast<std::size_t>(pair.i), j = static_cast<std::size_t>(pair.j);
+  const double dx = bodies.x[i] - bodies.x[j], dy = bodies.y[i] - bodies.y[j], dz = bodies.z[i] - bodies.z[j];
+  const double bounds = bodies.reach[i] + bodies.reach[j] + skins_.spheres;
+  return dx * dx + dy * dy + dz * dz < bounds * bounds;
+}
+
+void ContactList::flag_to_place(const Bodies& bodies, const Section& section) {
+  for (const BodyPair& pair : section.lists.body_pairs) {
+    if (!is_to_list(pair) || !in_reach(bodies, pair)) continue;
+    raise(to_place_[static_cast<std::size_t>(pair.i)]);
+    raise(to_place_[static_cast<std::size_t>(pair.j)]);
   }
 }
 
 /// Candidates of pairs that have not moved stay, and are taken over as long rows.
-void ContactList::list_pairs(const Bodies& bodies) {
-  pairs_.clear();
-  pair_begin_.assign(1, 0);
-  std::size_t old = 0, begin = 0, end = 0;  // candidates of old_ to be taken over
+void ContactList::list_pairs(const Bodies& bodies, Section& section) const {
+  Section::Lists& lists = section.lists;
+  const Section::Lists& old = section.old;
+  lists.pairs.clear();
+  lists.pair_begin.assign(1, 0);
+  std::size_t known = 0, begin = 0, end = 0;  // candidates of `old` to be taken over
   const auto take_over = [&] {
-    pairs_.append(old_, begin, end);
+    lists.pairs.append(old.pairs, begin, end);
     begin = end = 0;
   };
-  for (const BodyPair& pair : body_pairs_) {
-    while (old < old_body_pairs_.size() && old_body_pairs_[old] < pair) ++old;
-    const bool known = old < old_body_pairs_.size() && old_body_pairs_[old] == pair;
-    if (!known || moved_[static_cast<std::size_t>(pair.i)] || moved_[static_cast<std::size_t>(pair.j)]) {
+  Reaching of_i, of_j;
+  for (const BodyPair& pair : lists.body_pairs) {
+    while (known < old.body_pairs.size() && old.body_pairs[known] < pair) ++known;
+    if (is_to_list(pair)) {
       take_over();
-      list_pair(bodies, pair);
+      if (in_reach(bodies, pair)) list_pair(bodies, pair, of_i, of_j, lists.pairs);
     } else {
-      if (end != old_pair_begin_[old]) {
+      if (end != old.pair_begin[known]) {
         take_over();
-        begin = old_pair_begin_[old];
+        begin = old.pair_begin[known];
       }
-      end = old_pair_begin_[old + 1];
+      end = old.pair_begin[known + 1];
     }
-    pair_begin_.push_back(pairs_.count() + (end - begin));
+    lists.pair_begin.push_back(lists.pairs.count() + (end - begin));
   }
   take_over();
 }
 
 void ContactList::place_all(const Bodies& bodies, std::size_t i) {
-  if (all_placed_[i]) return;
-  all_placed_[i] = 1;
-  for (std::size_t s = first_sphere_[i]; s < first_sphere_[i + 1]; ++s) place(bodies, s);
+  for (std::size_t s = first_sphere_[i]; s < first_sphere_[i + 1]; ++s) place(bodies, placed[s]);
 }
 
 void ContactList::find_reaching(const Bodies& bodies, std::size_t of, std::size_t into,
@@ -109,59 +159,56 @@ void ContactList::find_reaching(const Bodies& bodies, std::size_t of, std::size_
   }
 }
 
-void ContactList::list_pair(const Bodies& bodies, const BodyPair& pair) {
+void ContactList::list_pair(const Bodies& bodies, const BodyPair& pair, Reaching& of_i, Reaching& of_j,
+                            CandidateArrays& to) const {
   const auto i = static_cast<std::size_t>(pair.i), j = static_cast<std::size_t>(pair.j);
-  const double dx = bodies.x[i] - bodies.x[j], dy = bodies.y[i] - bodies.y[j], dz = bodies.z[i] - bodies.z[j];
-  const double bounds = bodies.reach[i] + bodies.reach[j] + skins_.spheres;
-  if (dx * dx + dy * dy + dz * dz >= bounds * bounds) return;
-  place_all(bodies, i);
-  place_all(bodies, j);
-  find_reaching(bodies, i, j, reach_a_);
-  if (reach_a_.count == 0) return;
-  find_reaching(bodies, j, i, reach_b_);
-  for (std::size_t a = 0; a < reach_a_.count; ++a) {
-    const SimdReal x = reach_a_.x[a], y = reach_a_.y[a], z = reach_a_.z[a];
-    const SimdReal r = reach_a_.radius[a] + skins_.spheres;
-    for (std::size_t b = 0; b < reach_b_.count; b += kSimdWidth) {
-      const SimdReal px = x - load(reach_b_.x, b), py = y - load(reach_b_.y, b), pz = z - load(reach_b_.z, b);
-      const SimdReal reach = r + load(reach_b_.radius, b);
+  find_reaching(bodies, i, j, of_i);
+  if (of_i.count == 0) return;
+  find_reaching(bodies, j, i, of_j);
+  for (std::size_t a = 0; a < of_i.count; ++a) {
+    const SimdReal x = of_i.x[a], y = of_i.y[a], z = of_i.z[a];
+    const SimdReal r = of_i.radius[a] + skins_.spheres;
+    for (std::size_t b = 0; b < of_j.count; b += kSimdWidth) {
+      const SimdReal px = x - load(of_j.x, b), py = y - load(of_j.y, b), pz = z - load(of_j.z, b);
+      const SimdReal reach = r + load(of_j.radius, b);
       for (unsigned near = less_bits(px * px + py * py + pz * pz, reach * reach); near != 0; near &= near - 1)
-        pairs_.push(reach_a_.sphere[a],
-                    reach_b_.sphere[b + static_cast<std::size_t>(std::countr_zero(near))]);
+        to.push(of_i.sphere[a], of_j.sphere[b + static_cast<std::size_t>(std::countr_zero(near))]);
     }
   }
 }
 
 /// Candidates are sorted by body, sphere and wall. Those of bodies that have not moved stay, unless a wall
-/// has.
-bool ContactList::list_walls(const Bodies& bodies, std::span<const Wall> walls) {
-  const bool all = renumbered_ || walls_moved(walls, listed_walls_, 0.5 * skins_.spheres);
-  if (all) listed_walls_.assign(walls.begin(), walls.end());
-  walls_.clear();
-  wall_begin_.assign(1, 0);
-  for (std::size_t i = 0; i < bodies.count; ++i) {
-    const bool known = i + 1 < old_wall_begin_.size();
+/// has (`all`).
+void ContactList::list_walls(const Bodies& bodies, std::span<const Wall> walls, bool all, Section& section) {
+  Section::Lists& lists = section.lists;
+  const Section::Lists& old = section.old;
+  lists.walls.clear();
+  lists.wall_begin.assign(1, 0);
+  for (std::size_t k = 0; section.first + k < section.last; ++k) {
+    const std::size_t i = section.first + k;
+    const bool known = k + 1 < old.wall_begin.size();
     if (all || moved_[i] || !known)
-      list_walls_of(bodies, i, walls);
+      list_walls_of(bodies, i, walls, lists.walls);
     else
-      walls_.append(old_, old_wall_begin_[i], old_wall_begin_[i + 1]);
-    wall_begin_.push_back(walls_.count());
+      lists.walls.append(old.walls, old.wall_begin[k], old.wall_begin[k + 1]);
+    lists.wall_begin.push_back(lists.walls.count());
   }
-  return all;
 }
 
-void ContactList::list_walls_of(const Bodies& bodies, std::size_t i, std::span<const Wall> walls) {
+void ContactList::list_walls_of(const Bodies& bodies, std::size_t i, std::span<const Wall> walls,
+                                CandidateArrays& to) {
   const Vec3 position = bodies.position(i);
   bool near = false;
   for (const Wall& wall : walls)
     near |= wall.present && within_reach(wall, position, bodies.reach[i] + skins_.spheres);
   if (!near) return;
-  place_all(bodies, i);
+  // Where a pair needs them too they are placed, and other sections may be reading them.
+  if (!to_place_[i]) place_all(bodies, i);
   for (std::size_t s = first_sphere_[i]; s < first_sphere_[i + 1]; ++s)
     for (std::size_t w = 0; w < walls.size(); ++w)
       if (walls[w].present &&
           within_reach(walls[w], Vec3(placed[s].centre), placed[s].radius + skins_.spheres))
-        walls_.push(static_cast<std::int32_t>(s), static_cast<std::int32_t>(w));
+        to.push(static_cast<std::int32_t>(s), static_cast<std::int32_t>(w));
 }
 
 }  // namespace repose

@@ -1,7 +1,9 @@
 // Level 3 of ContactList: candidates that may touch soon.
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
 
 #include "engine/dynamics/contact_list.hpp"
 #include "engine/dynamics/simd_records.hpp"
@@ -21,49 +23,60 @@ constexpr double kRounding = 1e-12;
 
 }  // namespace
 
-void ContactList::share_out(const Bodies& bodies) {
-  looked_.clear();
+/// Pairs are looked at once the shares of all bodies are settled, and spheres are needed once all sections
+/// have said so.
+void ContactList::look_near(const Bodies& bodies, std::span<const Wall> walls, bool all_walls, Crew& crew) {
+  ++looks_;
+  if (all_walls) share_out_walls(walls);
+  each_section(crew, [&](const Section& section) {
+    share_out(bodies, section);
+    for (const std::int32_t s : section.needed) is_needed_[static_cast<std::size_t>(s)] = 0;
+  });
+  each_section(crew, [&](Section& section) {
+    look_at(bodies, all_walls, section);
+    section.gather_near(placed);
+    flag_needed(section);
+  });
+  each_section(crew, [&](Section& section) { collect_needed(section); });
+}
+
+void ContactList::share_out(const Bodies& bodies, const Section& section) {
   const double least = kLeastShare * skins_.spheres, most = kMostShare * skins_.spheres;
-  for (std::size_t i = 0; i < bodies.count; ++i) {
+  for (std::size_t i = section.first; i < section.last; ++i) {
     is_looked_[i] |= !(bodies.travel[i] + kTogether * bodies.pace[i] <= until_.near[i]);
     if (!is_looked_[i]) continue;
-    looked_.push_back(i);
     const double share = std::clamp(kLookSteps * bodies.pace[i], least, most);
     until_.near[i] = std::min({bodies.travel[i] + share, until_.spheres[i], until_.bodies[i]});
   }
 }
 
-void ContactList::look_near(const Bodies& bodies, std::span<const Wall> walls, bool walls_used_up) {
-  ++looks_;
-  share_out(bodies);
-  for (const std::size_t i : looked_) {
-    for (std::size_t p = pair_first_[i]; p < pair_first_[i + 1]; ++p) look_at_pair(bodies, p);
-    for (std::size_t k = second_first_[i]; k < second_first_[i + 1]; ++k) {
-      const std::size_t p = second_[k];
-      if (!is_looked_[static_cast<std::size_t>(body_pairs_[p].i)]) look_at_pair(bodies, p);
-    }
+void ContactList::share_out_walls(std::span<const Wall> walls) {
+  looked_walls_.assign(walls.begin(), walls.end());
+  wall_share_ = 0.0;
+  for (const Wall& wall : walls)
+    if (wall.present)
+      wall_share_ = std::max(wall_share_,
+                             std::min(kLookSteps * dt_ * wall.velocity.norm(), kMostShare * skins_.spheres));
+}
+
+void ContactList::look_at(const Bodies& bodies, bool all_walls, Section& section) {
+  for (std::size_t p = 0; p < section.lists.body_pairs.size(); ++p) {
+    const auto [i, j] = section.lists.body_pairs[p];
+    if (is_looked_[static_cast<std::size_t>(i)] || is_looked_[static_cast<std::size_t>(j)])
+      look_at_pair(bodies, section, p);
   }
-  if (walls_used_up) {
-    looked_walls_.assign(walls.begin(), walls.end());
-    wall_share_ = 0.0;
-    for (const Wall& wall : walls)
-      if (wall.present)
-        wall_share_ = std::max(
-            wall_share_, std::min(kLookSteps * dt_ * wall.velocity.norm(), kMostShare * skins_.spheres));
-    for (std::size_t i = 0; i < bodies.count; ++i) look_at_walls(bodies, i);
-  } else {
-    for (const std::size_t i : looked_) look_at_walls(bodies, i);
-  }
-  gather_near();
+  for (std::size_t i = section.first; i < section.last; ++i)
+    if (all_walls || is_looked_[i]) look_at_walls(bodies, section, i);
 }
 
 /// All candidates of a pair of bodies, a vector at a time: their spheres are placed in registers, since most
 /// are not near.
-void ContactList::look_at_pair(const Bodies& bodies, std::size_t pair) {
-  const std::size_t begin = pair_begin_[pair], end = pair_begin_[pair + 1];
+void ContactList::look_at_pair(const Bodies& bodies, Section& section, std::size_t pair) const {
+  CandidateArrays& candidates = section.lists.pairs;
+  const std::size_t begin = section.lists.pair_begin[pair], end = section.lists.pair_begin[pair + 1];
   if (begin == end) return;
-  const auto i = static_cast<std::size_t>(body_pairs_[pair].i),
-             j = static_cast<std::size_t>(body_pairs_[pair].j);
+  const auto i = static_cast<std::size_t>(section.lists.body_pairs[pair].i),
+             j = static_cast<std::size_t>(section.lists.body_pairs[pair].j);
   const SimdReal share = left(bodies, i) + left(bodies, j) + kRounding;
   const Vec3 apart = bodies.position(i) - bodies.position(j);
   const auto placed_at = [&](const std::vector<std::int32_t>& spheres, std::size_t body, std::size_t first,
@@ -84,42 +97,40 @@ void ContactList::look_at_pair(const Bodies& bodies, std::size_t pair) {
   };
   for (std::size_t first = begin; first < end; first += kSimdWidth) {
     Fields4 a, b;
-    placed_at(pairs_.a, i, first, a);
-    placed_at(pairs_.b, j, first, b);
+    placed_at(candidates.a, i, first, a);
+    placed_at(candidates.b, j, first, b);
     const SimdReal dx = a[0] - b[0] + apart.x(), dy = a[1] - b[1] + apart.y(), dz = a[2] - b[2] + apart.z();
     const SimdReal reach = a[3] + b[3] + share;
     const unsigned near = less_bits(dx * dx + dy * dy + dz * dz, reach * reach);
-    pairs_.set_near(first, std::min(kSimdWidth, end - first), near);
+    candidates.set_near(first, std::min(kSimdWidth, end - first), near);
   }
 }
 
-void ContactList::look_at_walls(const Bodies& bodies, std::size_t i) {
+void ContactList::look_at_walls(const Bodies& bodies, Section& section, std::size_t i) const {
   const double share = left(bodies, i) + wall_share_ + kRounding;
-  for (std::size_t c = wall_begin_[i]; c < wall_begin_[i + 1]; ++c) {
-    const auto s = static_cast<std::size_t>(walls_.a[c]);
-    place(bodies, s);
-    const PlacedSphere& sphere = placed[s];
-    const Wall& wall = looked_walls_[static_cast<std::size_t>(walls_.b[c])];
-    walls_.set_near(c, 1, within_reach(wall, Vec3(sphere.centre), sphere.radius + share));
+  CandidateArrays& candidates = section.lists.walls;
+  const std::size_t k = i - section.first;
+  for (std::size_t c = section.lists.wall_begin[k]; c < section.lists.wall_begin[k + 1]; ++c) {
+    // A copy: other sections may be reading this one's body.
+    PlacedSphere sphere = placed[static_cast<std::size_t>(candidates.a[c])];
+    place(bodies, sphere);
+    const Wall& wall = looked_walls_[static_cast<std::size_t>(candidates.b[c])];
+    candidates.set_near(c, 1, within_reach(wall, Vec3(sphere.centre), sphere.radius + share));
   }
 }
 
-void ContactList::gather_near() {
-  std::swap(near_pairs, old_near_pairs_);
-  near_pairs.gather(pairs_, placed, old_near_pairs_);
-  std::swap(near_walls, old_near_walls_);
-  near_walls.gather(walls_, placed, old_near_walls_);
-  for (const std::int32_t s : needed_) is_needed_[static_cast<std::size_t>(s)] = 0;
-  needed_.clear();
-  const auto need = [&](std::int32_t at) {
-    const auto s = static_cast<std::size_t>(at / NearList::kLine);
-    if (is_needed_[s]) return;
-    is_needed_[s] = 1;
-    needed_.push_back(static_cast<std::int32_t>(s));
-  };
-  for (std::size_t k = 0; k < near_pairs.count; ++k)
-    need(near_pairs.sphere_a[k]), need(near_pairs.sphere_b[k]);
-  for (std::size_t k = 0; k < near_walls.count; ++k) need(near_walls.sphere_a[k]);
+void ContactList::flag_needed(const Section& section) {
+  const auto need = [&](std::size_t sphere) { raise(is_needed_[sphere]); };
+  for (std::size_t k = 0; k < section.near_pairs.count; ++k)
+    need(section.near_pairs.first(k)), need(section.near_pairs.second(k));
+  for (std::size_t k = 0; k < section.near_walls.count; ++k) need(section.near_walls.first(k));
+}
+
+void ContactList::collect_needed(Section& section) const {
+  section.needed.clear();
+  const std::size_t begin = first_sphere_[section.first], end = first_sphere_[section.last];
+  for_each_flag(std::span(is_needed_).subspan(begin, end - begin),
+                [&](std::size_t s) { section.needed.push_back(static_cast<std::int32_t>(begin + s)); });
 }
 
 }  // namespace repose

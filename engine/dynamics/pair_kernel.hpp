@@ -8,9 +8,8 @@
 namespace repose {
 
 /// First pass: which near candidates touch.
-inline void find_touching(ContactList& list, TouchingList& touching) {
-  NearList& near = list.near_pairs;
-  const double* record = list.placed.data()->centre;
+inline void find_touching(ForceKernels::Placed placed, NearList& near, TouchingList& touching) {
+  const double* record = placed.data()->centre;
   touching.start(near.count);
   for (std::size_t block = 0; block < near.blocks(); ++block) {
     unsigned mask = 0;
@@ -76,11 +75,11 @@ struct PairBlock {
 
 /// Second pass: geometry and relative motion. The contact point lies in the middle of the overlap.
 template <RollingModel kModel>
-REPOSE_INLINE void pair_motion(const ForceStep& step, const Bodies& bodies, const ContactList& list,
+REPOSE_INLINE void pair_motion(const ForceStep& step, const Bodies& bodies, ForceKernels::Placed placed,
                                const TouchingList& touching, std::size_t first, PairBlock& block) {
   const std::int32_t *body_i = touching.body_a.data() + first, *body_j = touching.body_b.data() + first;
-  const BlockSide i = load_side(bodies, list.placed, touching.sphere_a.data() + first, body_i);
-  const BlockSide j = load_side(bodies, list.placed, touching.sphere_b.data() + first, body_j);
+  const BlockSide i = load_side(bodies, placed, touching.sphere_a.data() + first, body_i);
+  const BlockSide j = load_side(bodies, placed, touching.sphere_b.data() + first, body_j);
   block.contact = pair_geometry<kModel>(i, j, step.dt);
   block.arm_i = i.arm - (i.radius - 0.5 * block.contact.overlap) * block.contact.n;
   block.arm_j = j.arm + (j.radius - 0.5 * block.contact.overlap) * block.contact.n;
@@ -93,46 +92,74 @@ REPOSE_INLINE void pair_motion(const ForceStep& step, const Bodies& bodies, cons
 
 /// What a law gives goes to the history, the ledger and the block.
 REPOSE_INLINE void keep(const ContactForces<SimdReal>& f, const ContactHistory<SimdReal>& history, bool rolls,
-                        const ForceStep& step, ContactList& list, const TouchingList& touching,
+                        const ForceStep& step, NearList& near, const TouchingList& touching,
                         std::size_t first, PairBlock& block, PowerSum& sum) {
   const std::size_t lanes = std::min(kSimdWidth, touching.count - first);
-  store_history(history, list.near_pairs, touching.history.data() + first, lanes, rolls);
+  store_history(history, near, touching.history.data() + first, lanes, rolls);
   if (step.booked) sum.add(f.power, lanes);
   block.force = f.force, block.rolling_torque = f.rolling_torque, block.F_n = f.F_n;
 }
 
 /// Third pass: the contact law, for two blocks side by side.
 template <RollingModel kModel>
-REPOSE_INLINE void pair_law_twice(const ForceStep& step, ContactList& list, const TouchingList& touching,
+REPOSE_INLINE void pair_law_twice(const ForceStep& step, NearList& near, const TouchingList& touching,
                                   std::size_t first, PairBlock& a, PairBlock& b, PowerSum& sum) {
   constexpr bool kSpring = has_rolling_spring(kModel);
   const std::int32_t* at_history = touching.history.data() + first;
-  ContactHistory<Twin> history = twin(load_history(list.near_pairs, at_history, kSpring),
-                                      load_history(list.near_pairs, at_history + kSimdWidth, kSpring));
+  ContactHistory<Twin> history =
+      twin(load_history(near, at_history, kSpring), load_history(near, at_history + kSimdWidth, kSpring));
   const Triple<Twin> lead = step.leads ? twin(a.lead, b.lead) : Triple<Twin>{0.0, 0.0, 0.0};
   const ContactTiming<Twin> timing{step.dt, step.lag, step.booked, step.leads ? &lead : nullptr};
   const ContactForces<Twin> f = contact_forces<kModel>(step.pair_law, twin(a.contact, b.contact),
                                                        twin(a.motion, b.motion), timing, history);
-  keep(half_of<0>(f), half_of<0>(history), kSpring, step, list, touching, first, a, sum);
-  keep(half_of<1>(f), half_of<1>(history), kSpring, step, list, touching, first + kSimdWidth, b, sum);
+  keep(half_of<0>(f), half_of<0>(history), kSpring, step, near, touching, first, a, sum);
+  keep(half_of<1>(f), half_of<1>(history), kSpring, step, near, touching, first + kSimdWidth, b, sum);
 }
 
 /// The same for a block that is left over.
 template <RollingModel kModel>
-REPOSE_INLINE void pair_law(const ForceStep& step, ContactList& list, const TouchingList& touching,
+REPOSE_INLINE void pair_law(const ForceStep& step, NearList& near, const TouchingList& touching,
                             std::size_t first, PairBlock& block, PowerSum& sum) {
   constexpr bool kSpring = has_rolling_spring(kModel);
-  ContactHistory<SimdReal> history = load_history(list.near_pairs, touching.history.data() + first, kSpring);
+  ContactHistory<SimdReal> history = load_history(near, touching.history.data() + first, kSpring);
   const ContactTiming<SimdReal> timing{step.dt, step.lag, step.booked, step.leads ? &block.lead : nullptr};
   const ContactForces<SimdReal> f =
       contact_forces<kModel>(step.pair_law, block.contact, block.motion, timing, history);
-  keep(f, history, kSpring, step, list, touching, first, block, sum);
+  keep(f, history, kSpring, step, near, touching, first, block, sum);
+}
+
+/// Whether some of kSimdWidth offsets are below `first`.
+REPOSE_INLINE bool any_below(const std::int32_t* offset, std::int32_t first) {
+  bool below = false;
+  for (std::size_t lane = 0; lane < kSimdWidth; ++lane) below |= offset[lane] < first;
+  return below;
+}
+
+/// add_fields8() where some records of the second side belong to others.
+[[gnu::noinline]] inline void add_beyond(const Fields8& on_i, const std::int32_t* body_i, const Fields8& on_j,
+                                         const std::int32_t* body_j, Bodies& bodies, std::size_t lanes,
+                                         LoadsBeyond& beyond) {
+  std::array<BodyLoad, kSimdWidth> row_i, row_j;
+  LaneOffsets at;
+  for (std::size_t lane = 0; lane < kSimdWidth; ++lane)
+    at[lane] = NearList::kLine * static_cast<std::int32_t>(lane);
+  store_fields8(on_i, row_i.data()->force, at.data());
+  store_fields8(on_j, row_j.data()->force, at.data());
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    bodies.load_at(body_i[lane]) += row_i[lane];
+    if (body_j[lane] >= beyond.first) {
+      bodies.load_at(body_j[lane]) += row_j[lane];
+    } else {
+      beyond.body.push_back(body_j[lane]);
+      beyond.load.push_back(row_j[lane]);
+    }
+  }
 }
 
 /// Fourth pass: forces and torques added up by body.
 template <RollingModel kModel>
 REPOSE_INLINE void pair_loads(const ForceStep& step, Bodies& bodies, const TouchingList& touching,
-                              std::size_t first, const PairBlock& block) {
+                              std::size_t first, const PairBlock& block, LoadsBeyond& beyond) {
   const std::size_t lanes = std::min(kSimdWidth, touching.count - first);
   SimdReal resist_i = 0.0, resist_j = 0.0;
   if constexpr (kModel == RollingModel::type_a) {
@@ -141,33 +168,43 @@ REPOSE_INLINE void pair_loads(const ForceStep& step, Bodies& bodies, const Touch
     resist_j = size * length(block.arm_j);
   }
   const Triple<SimdReal> minus = SimdReal(-1.0) * block.force;
-  add_fields8(load_fields(block.force, resist_i, cross(block.arm_i, block.force) + block.rolling_torque),
-              touching.body_a.data() + first,
-              load_fields(minus, resist_j, cross(block.arm_j, minus) - block.rolling_torque),
-              touching.body_b.data() + first, bodies.load.data()->force, lanes);
+  const Fields8 on_i =
+      load_fields(block.force, resist_i, cross(block.arm_i, block.force) + block.rolling_torque);
+  const Fields8 on_j = load_fields(minus, resist_j, cross(block.arm_j, minus) - block.rolling_torque);
+  const std::int32_t *body_i = touching.body_a.data() + first, *body_j = touching.body_b.data() + first;
+  if (any_below(body_j, beyond.first))
+    add_beyond(on_i, body_i, on_j, body_j, bodies, lanes, beyond);
+  else
+    add_fields8(on_i, body_i, on_j, body_j, bodies.load.data()->force, lanes);
 }
+
+/// Whether the law takes two vectors side by side (Twin): the 16 registers of AVX hold no two chains.
+/// Measured in tools/bench/NOTES.md.
+inline constexpr bool kTwins = kSimdWidth > 4;
 
 /// The passes take a few blocks each, that stay in the first cache level between them. All passes in one were
 /// a chain of 1,000 instructions a block, of which a core looks ahead to less than half: it waited for roots.
 template <RollingModel kModel>
-ContactWork pair_forces(const ForceStep& step, Bodies& bodies, ContactList& list, TouchingList& touching) {
+ContactWork pair_forces(const ForceStep& step, Bodies& bodies, ForceKernels::Placed placed, NearList& near,
+                        TouchingList& touching, LoadsBeyond& beyond) {
   constexpr std::size_t kBlocks = 4;
-  find_touching(list, touching);
+  find_touching(placed, near, touching);
   PowerSum sum;
   std::array<PairBlock, kBlocks> blocks;
   for (std::size_t begin = 0; begin < touching.count; begin += kBlocks * kSimdWidth) {
     const std::size_t end = std::min(begin + kBlocks * kSimdWidth, touching.count);
     PairBlock* block = blocks.data();
     for (std::size_t first = begin; first < end; first += kSimdWidth)
-      pair_motion<kModel>(step, bodies, list, touching, first, *block++);
+      pair_motion<kModel>(step, bodies, placed, touching, first, *block++);
     block = blocks.data();
     std::size_t at = begin;
-    for (; at + kSimdWidth < end; at += 2 * kSimdWidth, block += 2)
-      pair_law_twice<kModel>(step, list, touching, at, block[0], block[1], sum);
-    if (at < end) pair_law<kModel>(step, list, touching, at, *block, sum);
+    if constexpr (kTwins)
+      for (; at + kSimdWidth < end; at += 2 * kSimdWidth, block += 2)
+        pair_law_twice<kModel>(step, near, touching, at, block[0], block[1], sum);
+    for (; at < end; at += kSimdWidth) pair_law<kModel>(step, near, touching, at, *block++, sum);
     block = blocks.data();
     for (std::size_t first = begin; first < end; first += kSimdWidth)
-      pair_loads<kModel>(step, bodies, touching, first, *block++);
+      pair_loads<kModel>(step, bodies, touching, first, *block++, beyond);
   }
   return sum.work(step.dt);
 }

@@ -47,30 +47,92 @@ ForceStep laws_of(const Scene& scene, double dt) {
 
 }  // namespace
 
-Simulation::Simulation(const Scene& scene, double dt)
+Simulation::Simulation(const Scene& scene, double dt, std::shared_ptr<Crew> crew, std::size_t section_bodies)
     : dt_(dt),
       rolling_model_(scene.contact.rolling_model),
       motion_step_{dt, rolling_model_, scene.numerics.integrator, scene.contact.rolling_torque},
       force_step_(laws_of(scene, dt)),
       kernels_(force_kernels(scene.contact.rolling_model)),
       bodies_(scene.particles.shapes, scene.particles.material.density),
-      contacts_(skins_of(scene, dt), dt, has_rolling_spring(rolling_model_)) {}
+      contacts_(skins_of(scene, dt), dt, has_rolling_spring(rolling_model_), section_bodies),
+      crew_(crew ? std::move(crew) : std::make_shared<Crew>()) {}
 
+/// Members of the crew meet between phases: contacts need the spheres of all, and a body's motion the loads
+/// that others have for it.
 bool Simulation::step() {
-  if (!contacts_.update(bodies_, walls)) return false;
-  contacts_.place_spheres(bodies_);
+  shares_.resize(static_cast<std::size_t>(crew_->admit()));
+  if (!contacts_.update(bodies_, walls, *crew_)) return false;
+  deal_out(contacts_.sections, tallies_, shares_);
+  tallies_.resize(contacts_.sections.size());
+  const auto share = [this](int k) -> Share& { return shares_[static_cast<std::size_t>(k)]; };
 
-  clear_loads();
-  book(kernels_.pairs(force_step_, bodies_, contacts_, touching_));
-  book(kernels_.walls(force_step_, bodies_, contacts_, walls, touching_walls_));
+  crew_->share([&](int k) { place_spheres(share(k)); });
+  crew_->share([&](int k) { pair_forces(share(k)); });
+  crew_->share([&](int k) {
+    for (int other = k + 1; other < crew_->members(); ++other) take_loads(share(k), share(other));
+    move(share(k));
+  });
 
-  booked_.rolling_resistance += integrate(bodies_, motion_step_);
+  book_tallies();
   for (Wall& wall : walls) wall.advance(dt_);
   ++steps_;
   return true;
 }
 
-void Simulation::clear_loads() { std::fill(bodies_.load.begin(), bodies_.load.end(), BodyLoad{}); }
+/// Of a share that is all there is, each section's spheres are placed right before its contacts, which are
+/// with bodies of smaller numbers: they are still near in the cache.
+void Simulation::place_spheres(const Share& share) {
+  if (shares_.size() == 1) return;
+  for (std::size_t s = share.first; s < share.last; ++s) place_spheres(contacts_.sections[s]);
+}
+
+void Simulation::place_spheres(const Section& section) {
+  contacts_.place_spheres(bodies_, section);
+  std::fill(bodies_.load.begin() + static_cast<std::ptrdiff_t>(section.first),
+            bodies_.load.begin() + static_cast<std::ptrdiff_t>(section.last), BodyLoad{});
+}
+
+void Simulation::pair_forces(Share& share) {
+  if (share.first == share.last) return share.beyond.start(0);
+  share.beyond.start(NearList::kLine * static_cast<std::int32_t>(contacts_.sections[share.first].first));
+  for (std::size_t s = share.first; s < share.last; ++s) {
+    Section& section = contacts_.sections[s];
+    if (shares_.size() == 1) place_spheres(section);
+    tallies_[s].work = kernels_.pairs(force_step_, bodies_, contacts_.placed, section.near_pairs,
+                                      share.touching, share.beyond);
+    tallies_[s].pairs_touching = share.touching.count;
+  }
+}
+
+/// What another share's contacts put on bodies of this one.
+void Simulation::take_loads(const Share& share, const Share& from) {
+  if (share.first == share.last) return;
+  const auto begin = NearList::kLine * static_cast<std::int32_t>(contacts_.sections[share.first].first),
+             end = NearList::kLine * static_cast<std::int32_t>(contacts_.sections[share.last - 1].last);
+  for (std::size_t row = 0; row < from.beyond.body.size(); ++row) {
+    const std::int32_t body = from.beyond.body[row];
+    if (begin <= body && body < end) bodies_.load_at(body) += from.beyond.load[row];
+  }
+}
+
+void Simulation::move(Share& share) {
+  for (std::size_t s = share.first; s < share.last; ++s) {
+    Section& section = contacts_.sections[s];
+    tallies_[s].work += kernels_.walls(force_step_, bodies_, contacts_.placed, section.near_walls, walls,
+                                       share.touching_walls);
+    tallies_[s].rolling_loss = integrate(bodies_, motion_step_, section.first, section.last);
+  }
+}
+
+/// Section by section, so that sums do not depend on the shares.
+void Simulation::book_tallies() {
+  ContactWork work;
+  for (const SectionTally& tally : tallies_) {
+    work += tally.work;
+    booked_.rolling_resistance += tally.rolling_loss;
+  }
+  book(work);
+}
 
 void Simulation::book(const ContactWork& work) {
   booked_.normal_damping += work.normal_damping;
@@ -121,7 +183,7 @@ void Simulation::remove(std::span<const char> keep) {
     booked_.removed += body.kinetic + body.potential;
   }
   const std::vector<int> new_index = bodies_.retain(keep);
-  contacts_.renumber(bodies_, new_index);
+  contacts_.renumber(bodies_, new_index, *crew_);
 }
 
 void Simulation::split_wall(int from, int plus, int minus) {
@@ -131,12 +193,10 @@ void Simulation::split_wall(int from, int plus, int minus) {
 
 std::vector<char> Simulation::touching_another() const {
   std::vector<char> touches(bodies_.count, 0);
-  const NearList& near = contacts_.near_pairs;
-  for (std::size_t k = 0; k < near.count; ++k) {
-    if (!near.touched(k)) continue;
+  contacts_.for_each_pair([&](const NearList& near, std::size_t k) {
     for (const std::int32_t body : {near.body_a[k], near.body_b[k]})
       touches[static_cast<std::size_t>(body / NearList::kLine)] = 1;
-  }
+  });
   return touches;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "engine/dynamics/bodies.hpp"
@@ -7,6 +8,7 @@
 #include "engine/dynamics/energy_ledger.hpp"
 #include "engine/dynamics/force_kernels.hpp"
 #include "engine/dynamics/integrate.hpp"
+#include "engine/dynamics/shares.hpp"
 #include "engine/dynamics/wall.hpp"
 #include "engine/scene/heap_snapshot.hpp"
 #include "engine/scene/scene.hpp"
@@ -17,7 +19,14 @@ namespace repose {
 class Simulation {
  public:
   /// The particles, walls' material, contact model and numerics of a scene; no bodies and no walls yet.
-  Simulation(const Scene& scene, double dt);
+  /// @param crew            the threads that make the steps; without one the caller's alone. Its leader calls
+  /// step().
+  ///                        The state does not depend on it, to the last bit.
+  /// @param section_bodies  bodies of a Section, a multiple of Bodies::kPadding. The motion does not depend
+  /// on it to the
+  ///                        last bit; the ledger's sums are rounded otherwise.
+  Simulation(const Scene& scene, double dt, std::shared_ptr<Crew> crew = nullptr,
+             std::size_t section_bodies = Section::kBodies);
 
   /// One step: neighbours if needed, spheres placed, contact forces, integration, walls. Returns false once
   /// the motion has diverged (a coordinate is not finite or out of all bounds); the state is then
@@ -55,7 +64,13 @@ class Simulation {
 
  private:
   void remove(std::span<const char> keep);
-  void clear_loads();
+  // The phases of a step, each for one share of it.
+  void place_spheres(const Share& share);
+  void place_spheres(const Section& section);
+  void pair_forces(Share& share);
+  void move(Share& share);
+  void take_loads(const Share& share, const Share& from);
+  void book_tallies();
   void book(const ContactWork& work);
 
   double dt_;
@@ -67,8 +82,9 @@ class Simulation {
   ForceKernels kernels_;
   Bodies bodies_;
   ContactList contacts_;
-  TouchingList touching_;
-  TouchingWalls touching_walls_;
+  std::shared_ptr<Crew> crew_;
+  std::vector<Share> shares_;
+  std::vector<SectionTally> tallies_;
 };
 
 template <class Gone>

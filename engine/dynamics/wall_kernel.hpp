@@ -25,8 +25,8 @@ REPOSE_INLINE bool may_touch(const Wall& wall, const PlacedSphere& sphere, WallD
 
 /// First pass: the exact distance of every near candidate to its wall. Wall shapes branch, so this pass is
 /// scalar; wall candidates are a small part of all.
-inline void find_touching_walls(ContactList& list, std::span<const Wall> walls, TouchingWalls& touching) {
-  NearList& near = list.near_walls;
+inline void find_touching_walls(ForceKernels::Placed placed, NearList& near, std::span<const Wall> walls,
+                                TouchingWalls& touching) {
   touching.start(near.count);
   for (auto* array : {&touching.nx, &touching.ny, &touching.nz, &touching.overlap})
     if (array->size() < touching.history.size()) array->resize(touching.history.size(), 1.0);
@@ -36,7 +36,7 @@ inline void find_touching_walls(ContactList& list, std::span<const Wall> walls, 
     const std::size_t last = std::min(first + NearList::kBlock, near.count);
     std::size_t n = touching.count;
     for (std::size_t k = first; k < last; ++k) {
-      const PlacedSphere& sphere = list.placed[near.first(k)];
+      const PlacedSphere& sphere = placed[near.first(k)];
       WallDistance wall;
       if (!may_touch(walls[near.second(k)], sphere, wall)) continue;
       const double overlap = sphere.radius - wall.distance;
@@ -54,16 +54,16 @@ inline void find_touching_walls(ContactList& list, std::span<const Wall> walls, 
 
 /// Second pass: the contact law against walls of infinite mass and radius, R* = r, m* = m.
 template <RollingModel kModel>
-REPOSE_INLINE void wall_block(const ForceStep& step, Bodies& bodies, ContactList& list,
-                              std::span<const Wall> walls, const TouchingWalls& touching, std::size_t first,
-                              PowerSum& sum) {
+REPOSE_INLINE void wall_block(const ForceStep& step, Bodies& bodies, ForceKernels::Placed placed,
+                              NearList& near, std::span<const Wall> walls, const TouchingWalls& touching,
+                              std::size_t first, PowerSum& sum) {
   constexpr bool kSpring = has_rolling_spring(kModel);
   std::array<const Wall*, kSimdWidth> wall;
   const std::size_t lanes = std::min(kSimdWidth, touching.count - first);
   for (std::size_t lane = 0; lane < kSimdWidth; ++lane)
     wall[lane] = &walls[static_cast<std::size_t>(touching.sphere_b[first + lane])];
   const std::int32_t *body = touching.body_a.data() + first, *at_history = touching.history.data() + first;
-  const BlockSide i = load_side(bodies, list.placed, touching.sphere_a.data() + first, body);
+  const BlockSide i = load_side(bodies, placed, touching.sphere_a.data() + first, body);
   ContactGeometry<SimdReal> contact;
   contact.n = {load(touching.nx, first), load(touching.ny, first), load(touching.nz, first)};
   contact.overlap = load(touching.overlap, first);
@@ -88,9 +88,9 @@ REPOSE_INLINE void wall_block(const ForceStep& step, Bodies& bodies, ContactList
     lead = lead_of(bodies, body, arm);
     timing.lead = &lead;
   }
-  ContactHistory<SimdReal> history = load_history(list.near_walls, at_history, kSpring);
+  ContactHistory<SimdReal> history = load_history(near, at_history, kSpring);
   const ContactForces<SimdReal> f = contact_forces<kModel>(step.wall_law, contact, motion, timing, history);
-  store_history(history, list.near_walls, at_history, lanes, kSpring);
+  store_history(history, near, at_history, lanes, kSpring);
   if (step.booked) {
     sum.add(f.power, lanes);
     sum.add_wall(dot(f.force, v_wall), lanes);
@@ -103,12 +103,12 @@ REPOSE_INLINE void wall_block(const ForceStep& step, Bodies& bodies, ContactList
 }
 
 template <RollingModel kModel>
-ContactWork wall_forces(const ForceStep& step, Bodies& bodies, ContactList& list, std::span<const Wall> walls,
-                        TouchingWalls& touching) {
-  find_touching_walls(list, walls, touching);
+ContactWork wall_forces(const ForceStep& step, Bodies& bodies, ForceKernels::Placed placed, NearList& near,
+                        std::span<const Wall> walls, TouchingWalls& touching) {
+  find_touching_walls(placed, near, walls, touching);
   PowerSum sum;
   for (std::size_t first = 0; first < touching.count; first += kSimdWidth)
-    wall_block<kModel>(step, bodies, list, walls, touching, first, sum);
+    wall_block<kModel>(step, bodies, placed, near, walls, touching, first, sum);
   return sum.work(step.dt);
 }
 

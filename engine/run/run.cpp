@@ -45,7 +45,7 @@ void measure(RunResult& result, const Scene& scene, const SlumpTestRun& test) {
 
 }  // namespace
 
-std::string engine_version() { return std::string("5-") + instruction_set(); }
+std::string engine_version() { return std::string("6-") + instruction_set(); }
 
 std::string run_key(const Scene& scene, std::uint64_t seed) {
   return digest(canonical_text(scene) + "\nseed " + std::to_string(seed) + "\nengine " + engine_version());
@@ -53,6 +53,7 @@ std::string run_key(const Scene& scene, std::uint64_t seed) {
 
 RunResult run_slump_test(const Scene& scene, std::uint64_t seed, const RunOptions& options) {
   const double begin = thread_cpu_time();
+  const double helped_before = options.crew ? options.crew->helped_s() : 0.0;
   SlumpTestRun test(scene, seed, options);
   test.run();
 
@@ -66,7 +67,8 @@ RunResult run_slump_test(const Scene& scene, std::uint64_t seed, const RunOption
   result.warnings = scene_warnings(scene);
   for (const auto& more : {run_warnings(scene, test), result.measurement.warnings})
     result.warnings.insert(result.warnings.end(), more.begin(), more.end());
-  result.cost = {thread_cpu_time() - begin, test.simulation().steps(), test.simulation().dt()};
+  const double helped = options.crew ? options.crew->helped_s() - helped_before : 0.0;
+  result.cost = {thread_cpu_time() - begin + helped, test.simulation().steps(), test.simulation().dt()};
   result.bodies = test.pour().total_bodies();
   for (const ParticleDraw& particle : test.pour().particles())
     result.spheres +=

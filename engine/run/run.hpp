@@ -24,7 +24,7 @@ struct Responses {
 };
 
 struct Cost {
-  double cpu = 0.0;  ///< CPU time [s]
+  double cpu = 0.0;  ///< CPU time of all threads, without their waiting for each other [s]
   long steps = 0;
   double time_step = 0.0;  ///< Δt [s]
 };
@@ -47,8 +47,8 @@ struct RunResult {
   HeapSnapshot heap;  ///< at the end
 };
 
-/// One slump test: (scene, seed) → result, the same bits whatever runs beside it. Bad physics ends in an
-/// outcome, not in an exception.
+/// One slump test: (scene, seed) → result, the same bits whatever runs beside it and whoever helps. Bad
+/// physics ends in an outcome, not in an exception.
 RunResult run_slump_test(const Scene& scene, std::uint64_t seed, const RunOptions& options = {});
 
 /// 32 hexadecimal digits over everything that can change a result: the scene with its shapes, the seed, the

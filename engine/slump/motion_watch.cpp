@@ -47,14 +47,13 @@ void for_each_contact(const Simulation& simulation, Visit visit) {
   const ContactList& list = simulation.contacts();
   SeenContact contact;
   contact.law = &simulation.laws().pair_law;
-  for (std::size_t k = 0; k < list.near_pairs.count; ++k) {
-    if (!list.near_pairs.touched(k)) continue;
-    const PlacedSphere& a = list.placed[list.near_pairs.first(k)];
-    const PlacedSphere& b = list.placed[list.near_pairs.second(k)];
+  list.for_each_pair([&](const NearList& near, std::size_t k) {
+    const PlacedSphere& a = list.placed[near.first(k)];
+    const PlacedSphere& b = list.placed[near.second(k)];
     const Vec3 apart = Vec3(a.centre) - Vec3(b.centre);
     const double distance = apart.norm();
     contact.overlap = a.radius + b.radius - distance;
-    if (!(contact.overlap > 0.0 && distance > 0.0)) continue;
+    if (!(contact.overlap > 0.0 && distance > 0.0)) return;
     contact.n = apart / distance;
     const auto i = static_cast<std::size_t>(a.body), j = static_cast<std::size_t>(b.body);
     const double m_i = bodies.motion[i].mass, m_j = bodies.motion[j].mass;
@@ -66,15 +65,14 @@ void for_each_contact(const Simulation& simulation, Visit visit) {
     contact.arm[0] = Vec3(a.arm) - (a.radius - 0.5 * contact.overlap) * contact.n;
     contact.arm[1] = Vec3(b.arm) + (b.radius - 0.5 * contact.overlap) * contact.n;
     visit(contact);
-  }
+  });
   contact.law = &simulation.laws().wall_law;
   contact.sides = 1;
-  for (std::size_t k = 0; k < list.near_walls.count; ++k) {
-    if (!list.near_walls.touched(k)) continue;
-    const PlacedSphere& a = list.placed[list.near_walls.first(k)];
-    const WallDistance wall = distance_to(simulation.walls[list.near_walls.second(k)], Vec3(a.centre));
+  list.for_each_at_wall([&](const NearList& near, std::size_t k) {
+    const PlacedSphere& a = list.placed[near.first(k)];
+    const WallDistance wall = distance_to(simulation.walls[near.second(k)], Vec3(a.centre));
     contact.overlap = a.radius - wall.distance;
-    if (!(contact.overlap > 0.0)) continue;
+    if (!(contact.overlap > 0.0)) return;
     const auto i = static_cast<std::size_t>(a.body);
     contact.n = wall.normal;
     contact.R_eff = contact.smaller_radius = a.radius;
@@ -83,7 +81,7 @@ void for_each_contact(const Simulation& simulation, Visit visit) {
     contact.body[0] = i;
     contact.arm[0] = Vec3(a.arm) - (a.radius - 0.5 * contact.overlap) * contact.n;
     visit(contact);
-  }
+  });
 }
 
 }  // namespace

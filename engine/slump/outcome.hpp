@@ -2,8 +2,10 @@
 
 #include <atomic>
 #include <functional>
+#include <memory>
 #include <string>
 
+#include "engine/base/crew.hpp"
 #include "engine/scene/heap_snapshot.hpp"
 
 namespace repose {
@@ -41,6 +43,9 @@ struct RunOptions {
       on_frame;                             ///< called every frame_interval of simulated time, if > 0
   double frame_interval = 0.0;              ///< [s]
   const std::atomic<bool>* stop = nullptr;  ///< set: the run ends `interrupted` soon
+  /// Threads that help, led by the caller; without one it works alone. The result is the same to the last
+  /// bit.
+  std::shared_ptr<Crew> crew;
 };
 
 }  // namespace repose

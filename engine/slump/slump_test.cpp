@@ -59,7 +59,7 @@ const char* name_of(Outcome outcome) {
 SlumpTestRun::SlumpTestRun(const Scene& scene, std::uint64_t seed, const RunOptions& options)
     : scene_(scene),
       options_(options),
-      simulation_(scene, time_step(scene)),
+      simulation_(scene, time_step(scene), options.crew),
       pour_(scene, seed),
       watch_(scene) {
   steps_per_check_ = std::max(1L, static_cast<long>(std::min(kCheckInterval / simulation_.dt(), kMostSteps)));

@@ -79,6 +79,17 @@ TEST(Simulate, IsAFunctionOfCaseAndSeed) {
             Json::parse(other.out).at("angle_of_repose_deg"));
 }
 
+TEST(Simulate, IsTheSameOnSeveralThreads) {
+  const TemporaryFolder folder;
+  const std::string file = write_case(folder, tiny_case());
+  const Finished alone = repose({"simulate", file, "--json"});
+  EXPECT_EQ(without_cpu_time(alone.out),
+            without_cpu_time(repose({"simulate", file, "--threads", "3", "--json"}).out));
+  const Finished none = repose({"simulate", file, "--threads", "0"});
+  EXPECT_EQ(none.code, 2);
+  EXPECT_NE(none.err.find("--threads: 0: must be between 1 and 4096"), std::string::npos) << none.err;
+}
+
 TEST(Simulate, SetByFactorAndByPointerAreTheSameAndChangeTheRunsKey) {
   const TemporaryFolder folder;
   const std::string file = write_case(folder, tiny_case());

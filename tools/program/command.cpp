@@ -38,4 +38,9 @@ void check_range(Faults& faults, const std::string& option, double value, double
     faults.add(option, "", fmt::format("{}", value), rule);
 }
 
+void check_threads(Faults& faults, int threads) {
+  constexpr int kMost = 4096;
+  check_range(faults, "--threads", threads, 1, kMost, fmt::format("must be between 1 and {}", kMost));
+}
+
 }  // namespace repose::program

@@ -52,5 +52,7 @@ void print_json(const nlohmann::ordered_json& object);
 /// A finite number of this option between the bounds, otherwise a fault "--angle: 95: must be …".
 void check_range(Faults& faults, const std::string& option, double value, double low, double high,
                  const std::string& rule);
+/// --threads.
+void check_threads(Faults& faults, int threads);
 
 }  // namespace repose::program

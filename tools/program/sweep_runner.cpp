@@ -11,8 +11,6 @@ namespace repose::program {
 
 namespace {
 
-constexpr int kMostThreads = 4096;
-
 std::string progress_in_words(const sweep::SweepProgress& progress) {
   std::string text = fmt::format("{} of {} runs done", progress.done, progress.planned);
   if (progress.failed > 0) text += fmt::format(" ({} not completed)", progress.failed);
@@ -25,8 +23,7 @@ std::string progress_in_words(const sweep::SweepProgress& progress) {
 CaseDocument checked_case(const SweepRequest& request, sweep::SweepOptions& options, Faults faults) {
   check_folder(faults, request.folder);
   if (request.threads) {
-    check_range(faults, "--threads", *request.threads, 1, kMostThreads,
-                fmt::format("must be between 1 and {}", kMostThreads));
+    check_threads(faults, *request.threads);
     options.threads = *request.threads;
   }
   CaseDocument document;

@@ -24,6 +24,7 @@ struct SimulateOptions {
   std::optional<std::int64_t> seed;
   std::string out;
   int frames = 0;
+  int threads = 1;
 };
 
 constexpr int kMostFrames = 10000;
@@ -37,6 +38,7 @@ Scene checked_scene(const SimulateOptions& options, CaseDocument& document) {
   if (!options.out.empty()) check_folder(faults, options.out);
   check_range(faults, "--frames", options.frames, 0, kMostFrames,
               fmt::format("must be between 0 and {}", kMostFrames));
+  check_threads(faults, options.threads);
   if (options.seed && *options.seed < 0)
     faults.add("--seed", "", std::to_string(*options.seed), "must be 0 or more");
   if (options.frames > 0 && options.out.empty())
@@ -73,6 +75,7 @@ int simulate(const SimulateOptions& options) {
 
   ProgressLine line(options.common.quiet);
   RunOptions run;
+  run.crew = std::make_shared<Crew>(options.threads - 1);
   run.stop = &watch_for_interrupt();
   run.on_progress = [&](const Progress& progress) {
     if (line.due()) line.show_now(text_of(progress));
@@ -111,6 +114,8 @@ void add_simulate(CLI::App& app, Action& chosen) {
   verb->add_option("--seed", options.seed, "Of the random numbers; default: the case's /sweep/seed, or 1");
   verb->add_option("--out", options.out,
                    "Folder for the result, the heap (VTK, dump) and the profile picture");
+  verb->add_option("--threads", options.threads,
+                   "That share the work of the test; default: 1. The result is the same");
   verb->add_option("--frames", options.frames, "Write this many instants of the test for ParaView, in --out");
 }
 

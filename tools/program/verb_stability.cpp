@@ -41,8 +41,7 @@ Scene scene_to_map(const StabilityOptions& options, CaseDocument& document) {
   check_range(faults, "--tolerance", options.tolerance, 1e-3, 1.0, "must be between 0.001 and 1");
   check_range(faults, "--bodies", options.bodies, 20, 100000, "must be between 20 and 100000");
   check_range(faults, "--seed", static_cast<double>(options.seed), 0, 9e18, "must be 0 or more");
-  if (options.threads)
-    check_range(faults, "--threads", *options.threads, 1, 4096, "must be between 1 and 4096");
+  if (options.threads) check_threads(faults, *options.threads);
   faults.throw_if_any();
   return scene;
 }

@@ -18,7 +18,7 @@ struct Cloud {
   [[nodiscard]] std::vector<BodyPair> brute_force(double skin) const {
     std::vector<BodyPair> pairs;
     for (std::size_t i = 0; i < x.size(); ++i)
-      for (std::size_t j = i + 1; j < x.size(); ++j) {
+      for (std::size_t j = 0; j < i; ++j) {
         const double dx = x[i] - x[j], dy = y[i] - y[j], dz = z[i] - z[j];
         const double reach = radius[i] + radius[j] + skin;
         if (dx * dx + dy * dy + dz * dz < reach * reach)

@@ -34,11 +34,11 @@ Memory memory_of(const NearList& list) {
   return memory;
 }
 
-/// Candidates between bodies i < j, sorted by bodies and then spheres, each near with probability 0.6.
+/// Candidates between bodies i > j, sorted by bodies and then spheres, each near with probability 0.6.
 CandidateArrays random_candidates(RandomStream& random, int bodies) {
   CandidateArrays candidates;
   for (int i = 0; i < bodies; ++i)
-    for (int j = i + 1; j < bodies; ++j)
+    for (int j = 0; j < i; ++j)
       for (int a = 1; a <= 2; ++a)
         for (int b = 1; b <= 2; ++b) {
           if (random.uniform() < 0.3) continue;
@@ -78,25 +78,37 @@ TEST(NearList, ContactsThatStayNearRememberAndNoOthers) {
     }
 }
 
-TEST(NearList, RenumberingDropsContactsOfBodiesThatGoAndKeepsTheOthers) {
+TEST(NearList, AppendedContactsAreRememberedByTheNextGathering) {
   RandomStream random(6, 11);
-  NearList list(false, true);
-  list.gather(random_candidates(random, 6), spheres_of_two(12), NearList(false, true));
-  touch_some(random, list);
-  const Memory before = memory_of(list);
-  // Body 2 (spheres 5 and 6) goes; the spheres behind move down by two.
-  const auto new_place = [](std::int32_t sphere) {
-    return sphere == 5 || sphere == 6 ? -1 : (sphere > 6 ? sphere - 2 : sphere);
-  };
-  Memory expected;
-  for (const auto& [spheres, value] : before) {
-    const int a = new_place(static_cast<std::int32_t>(spheres.first)),
-              b = new_place(static_cast<std::int32_t>(spheres.second));
-    if (a > 0 && b > 0) expected[{static_cast<std::size_t>(a), static_cast<std::size_t>(b)}] = value;
+  const std::vector<PlacedSphere> placed = spheres_of_two(12);
+  for (const bool rolls : {false, true})
+    for (int trial = 0; trial < 100; ++trial) {
+      const CandidateArrays candidates = random_candidates(random, 6);
+      NearList old(false, rolls), list(false, rolls), kept(false, rolls);
+      old.gather(candidates, placed, list);
+      touch_some(random, old);
+      old.for_each_touched([&](const NearList& from, std::size_t k) {
+        kept.append(static_cast<std::int32_t>(from.first(k)), static_cast<std::int32_t>(from.second(k)),
+                    placed, from, k);
+      });
+      EXPECT_EQ(memory_of(kept), memory_of(old));
+      list.gather(candidates, placed, kept);
+      EXPECT_EQ(memory_of(list), memory_of(old));
+    }
+}
+
+TEST(NearList, VisitsEveryFlagThatIsSet) {
+  RandomStream random(8, 11);
+  for (std::size_t n = 0; n < 40; ++n) {
+    std::vector<std::uint8_t> flags(n);
+    std::vector<std::size_t> expected, visited;
+    for (std::size_t k = 0; k < n; ++k) {
+      flags[k] = random.uniform() < 0.3 ? 1 : 0;
+      if (flags[k] != 0) expected.push_back(k);
+    }
+    for_each_flag(flags, [&](std::size_t k) { visited.push_back(k); });
+    EXPECT_EQ(visited, expected);
   }
-  ASSERT_LT(expected.size(), before.size());
-  list.renumber(new_place, spheres_of_two(10));
-  EXPECT_EQ(memory_of(list), expected);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ TEST_P(EveryStep, HasTheLoadsOfBruteForce) {
   RandomStream random(31, 1);
   const Scene scene = EveryStep::scene(GetParam(), random);
   const double dt = 4e-6;
-  Simulation simulation(scene, dt);
+  Simulation simulation(scene, dt, std::make_shared<Crew>(2), 8);  // three or four sections for three threads
   Wall base;
   base.radius = 0.055;
   base.z_low = -0.05;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <thread>
 
 #include "support/test_scene.hpp"
 
@@ -174,6 +175,59 @@ TEST(Simulation, DoesNotDependOnWhatItHeldBefore) {
   for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_EQ(alone.position(i), left.position(i));
     EXPECT_EQ(alone.angular_velocity(i), left.angular_velocity(i));
+  }
+}
+
+TEST(Simulation, IsTheSameForAnyNumberOfThreadsAndAnySections) {
+  // 60 clumps that collide in a narrow cylinder; some are added, some taken away, and helpers join on the
+  // way.
+  RandomStream random(7, 3);
+  const std::vector<Clump> shapes{sphere_clump(3e-3), random_clump(random, 5, 5e-3)};
+  for (const RollingModel model : {RollingModel::type_a, RollingModel::type_c}) {
+    const Scene scene = scene_of(shapes, kGlass, {0.4, 0.5, 0.2}, model);
+    const auto run = [&](int helpers, bool late, std::size_t section_bodies) {
+      const auto crew = std::make_shared<Crew>(late ? 0 : helpers);
+      std::vector<std::thread> late_helpers;
+      Simulation simulation(scene, 1e-5, crew, section_bodies);
+      simulation.walls = {floor_wall(), {Wall::Kind::closed_shell, 0.03, 0.0, 1.0, 0.0}};
+      RandomStream places(9, 3);
+      const auto add = [&](int k) {
+        NewBody body;
+        body.shape = k % 2;
+        body.position = {0.012 * (k % 3 - 1), 0.012 * (k / 3 % 3 - 1), 0.01 + 0.011 * (k / 9)};
+        body.orientation = places.rotation();
+        body.velocity = 0.5 * Vec3(places.normal(), places.normal(), places.normal());
+        simulation.add(body);
+      };
+      for (int k = 0; k < 54; ++k) add(k);
+      for (int step = 0; step < 4000; ++step) {
+        if (step == 1000 && late)
+          for (int k = 0; k < helpers; ++k) late_helpers.emplace_back([&] { crew->help(); });
+        if (step == 1500)
+          simulation.remove_if([&](std::size_t i) { return simulation.bodies().id[i] % 5 == 2; });
+        if (step == 2000)
+          for (int k = 54; k < 60; ++k) add(k);
+        EXPECT_TRUE(simulation.step());
+      }
+      crew->dismiss();
+      for (std::thread& helper : late_helpers) helper.join();
+      return std::pair(simulation.bodies(), simulation.ledger());
+    };
+    const auto [alone, booked_alone] = run(0, false, Section::kBodies);
+    const auto [by_eights, booked] = run(0, false, 8);
+    for (const bool late : {false, true})
+      for (const int helpers : {1, 3}) {
+        const auto [shared, booked_shared] = run(helpers, late, 8);
+        ASSERT_EQ(shared.count, alone.count);
+        for (std::size_t i = 0; i < alone.count; ++i) {
+          EXPECT_EQ(shared.position(i), alone.position(i));
+          EXPECT_EQ(shared.angular_velocity(i), alone.angular_velocity(i));
+          EXPECT_EQ(shared.position(i), by_eights.position(i));
+        }
+        EXPECT_EQ(booked_shared.imbalance(), booked.imbalance());
+        EXPECT_EQ(booked_shared.friction, booked.friction);
+      }
+    EXPECT_NEAR(booked.imbalance(), booked_alone.imbalance(), 1e-10 * booked_alone.turnover);  // rounding
   }
 }
 

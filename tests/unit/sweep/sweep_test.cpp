@@ -222,6 +222,27 @@ TEST_F(SweepTest, MakesTheLongestRunsFirst) {
   EXPECT_EQ(order, (std::vector<double>{0.2, 0.1, 0.05}));
 }
 
+/// One run for three threads: the two that find none join its crew, whoever is first.
+TEST_F(SweepTest, LetsIdleThreadsHelpTheLastRuns) {
+  SweepOptions options = with_fake_run(3);
+  int members = 0;
+  options.run = [&](const Scene& scene, std::uint64_t seed, const RunOptions& run) {
+    const auto begin = std::chrono::steady_clock::now();
+    while ((members = run.crew->admit()) < 3 &&
+           std::chrono::steady_clock::now() - begin < std::chrono::seconds(20))
+      std::this_thread::yield();
+    std::atomic<int> shares{0};
+    run.crew->share([&](int) { ++shares; });
+    EXPECT_EQ(shares, members);
+    return fake_run(scene, seed, run);
+  };
+  const SweepSummary summary =
+      run_sweep(document_of(case_with({{"design", "full_factorial"}, {"factors", {{"mu_s", {0.4}}}}})),
+                study(), options);
+  EXPECT_EQ(members, 3);
+  EXPECT_EQ(summary.finished, 1);
+}
+
 TEST_F(SweepTest, TellsWhereItStands) {
   std::vector<SweepProgress> seen;
   int finished = 0;

@@ -1,0 +1,123 @@
+// What ContactList holds of bodies that go, and of those whose numbers change for it.
+
+#include <algorithm>
+
+#include "engine/dynamics/contact_list.hpp"
+
+namespace repose {
+
+/// Where the bodies and spheres of before are now; kDropped: gone.
+struct ContactList::Renumbering {
+  static constexpr std::int32_t kDropped = -1;
+  std::span<const int> body;
+  std::vector<std::size_t> old_first;   ///< sphere of each body, and one past the last
+  std::vector<std::int32_t> new_first;  ///< of each body
+
+  [[nodiscard]] bool stays(std::size_t of_body) const { return body[of_body] >= 0; }
+  [[nodiscard]] std::int32_t moved(std::int32_t sphere, std::size_t of_body) const {
+    return sphere - static_cast<std::int32_t>(old_first[of_body]) + new_first[of_body];
+  }
+};
+
+/// Sections before the first body that goes stay as they are: their pairs are with bodies of smaller numbers.
+void ContactList::renumber(const Bodies& bodies, std::span<const int> new_index, Crew& crew) {
+  const auto dropped = static_cast<std::size_t>(
+      std::ranges::find_if(new_index, [](int index) { return index < 0; }) - new_index.begin());
+  const Renumbering to = move_spheres(new_index);
+  const std::size_t first_section = dropped / section_bodies_;
+  move_lists(to, first_section);
+  while (!sections.empty() && sections.back().first >= bodies.count) sections.pop_back();
+  if (!sections.empty()) sections.back().last = bodies.count;
+  for (auto* array : {&until_.bodies, &until_.spheres, &until_.near})
+    for (std::size_t i = 0; i < new_index.size(); ++i)
+      if (new_index[i] >= 0) (*array)[static_cast<std::size_t>(new_index[i])] = (*array)[i];
+  until_.resize(bodies.count, bodies.padded());
+  each_section(crew, [&](Section& section) {
+    if (section.first >= first_section * section_bodies_) section.gather_near(placed);
+    flag_needed(section);
+  });
+  each_section(crew, [&](Section& section) { collect_needed(section); });
+}
+
+/// Spheres of the bodies that stay move down to their new places.
+ContactList::Renumbering ContactList::move_spheres(std::span<const int> new_index) {
+  Renumbering renumbering{new_index, std::move(first_sphere_), {}};
+  const std::vector<std::size_t>& old_first = renumbering.old_first;
+  first_sphere_.clear();
+  std::size_t to = 1;
+  for (std::size_t i = 0; i < new_index.size(); ++i) {
+    const bool stays = new_index[i] >= 0;
+    renumbering.new_first.push_back(stays ? static_cast<std::int32_t>(to) : Renumbering::kDropped);
+    if (!stays) continue;
+    first_sphere_.push_back(to);
+    for (std::size_t s = old_first[i]; s < old_first[i + 1]; ++s, ++to) {
+      placed[to] = placed[s];
+      placed[to].body = new_index[i];
+    }
+  }
+  first_sphere_.push_back(to);
+  placed.resize(to);
+  is_needed_.assign(to, 0);
+  return renumbering;
+}
+
+/// The order of bodies stays, and with it that of their candidates and contacts.
+void ContactList::move_lists(const Renumbering& to, std::size_t first_section) {
+  for (std::size_t s = first_section; s < sections.size(); ++s) {
+    Section& section = sections[s];
+    std::swap(section.lists, section.old);
+    section.lists.clear();
+    std::swap(section.near_pairs, section.old_near_pairs);
+    section.near_pairs.clear();
+    std::swap(section.near_walls, section.old_near_walls);
+    section.near_walls.clear();
+  }
+  for (std::size_t s = first_section; s < sections.size(); ++s) {
+    move_candidates(to, sections[s]);
+    move_contacts(to, sections[s]);
+  }
+}
+
+void ContactList::move_candidates(const Renumbering& to, const Section& from) {
+  const auto body = [&](int old) { return to.body[static_cast<std::size_t>(old)]; };
+  for (std::size_t p = 0; p < from.old.body_pairs.size(); ++p) {
+    const auto [i, j] = from.old.body_pairs[p];
+    if (body(i) < 0 || body(j) < 0) continue;
+    Section::Lists& lists = section_of(static_cast<std::size_t>(body(i))).lists;
+    lists.body_pairs.push_back({body(i), body(j)});
+    for (std::size_t c = from.old.pair_begin[p]; c < from.old.pair_begin[p + 1]; ++c)
+      lists.pairs.push(to.moved(from.old.pairs.a[c], static_cast<std::size_t>(i)),
+                       to.moved(from.old.pairs.b[c], static_cast<std::size_t>(j)), from.old.pairs.near[c]);
+    lists.pair_begin.push_back(lists.pairs.count());
+  }
+  // Bodies that have been added since the last listing have no candidates yet, and are behind all others.
+  for (std::size_t k = 0; k + 1 < from.old.wall_begin.size(); ++k) {
+    const std::size_t i = from.first + k;
+    if (!to.stays(i)) continue;
+    Section::Lists& lists = section_of(static_cast<std::size_t>(to.body[i])).lists;
+    for (std::size_t c = from.old.wall_begin[k]; c < from.old.wall_begin[k + 1]; ++c)
+      lists.walls.push(to.moved(from.old.walls.a[c], i), from.old.walls.b[c], from.old.walls.near[c]);
+    lists.wall_begin.push_back(lists.walls.count());
+  }
+}
+
+/// Near candidates that do not touch have nothing to keep.
+void ContactList::move_contacts(const Renumbering& to, const Section& from) {
+  const auto body_at = [](std::int32_t offset) { return static_cast<std::size_t>(offset / NearList::kLine); };
+  from.old_near_pairs.for_each_touched([&](const NearList& old, std::size_t k) {
+    const std::size_t i = body_at(old.body_a[k]), j = body_at(old.body_b[k]);
+    if (!to.stays(i) || !to.stays(j)) return;
+    section_of(static_cast<std::size_t>(to.body[i]))
+        .near_pairs.append(to.moved(static_cast<std::int32_t>(old.first(k)), i),
+                           to.moved(static_cast<std::int32_t>(old.second(k)), j), placed, old, k);
+  });
+  from.old_near_walls.for_each_touched([&](const NearList& old, std::size_t k) {
+    const std::size_t i = body_at(old.body_a[k]);
+    if (!to.stays(i)) return;
+    section_of(static_cast<std::size_t>(to.body[i]))
+        .near_walls.append(to.moved(static_cast<std::int32_t>(old.first(k)), i), old.sphere_b[k], placed, old,
+                           k);
+  });
+}
+
+}  // namespace repose

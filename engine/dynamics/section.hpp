@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "engine/dynamics/candidates.hpp"
+#include "engine/dynamics/cell_grid.hpp"
+
+namespace repose {
+
+/// Bodies of neighbouring numbers with everything that may touch them: the piece of work that threads share a
+/// step by. A pair of bodies belongs to the section of its first, which has the greater number. What a
+/// section holds and the order in which it is worked through follow from the bodies alone, so that sums of
+/// its own are the same bits whoever makes them.
+struct Section {
+  /// Bodies of a section; a multiple of the padding of Bodies. A smaller number shares out more evenly, a
+  /// larger one leaves fewer vectors half full. Measured in tools/bench/NOTES.md.
+  static constexpr std::size_t kBodies = 128;
+
+  /// Levels 1 and 2 of ContactList.
+  struct Lists {
+    std::vector<BodyPair> body_pairs;        ///< sorted
+    std::vector<std::size_t> pair_begin{0};  ///< candidates of body pair p: pair_begin[p] … pair_begin[p+1]−1
+    std::vector<std::size_t> wall_begin{0};  ///< wall candidates of the section's k-th body, in the same way
+    CandidateArrays pairs, walls;            ///< of pairs of bodies, of bodies and walls
+    void clear();
+  };
+
+  /// @param rolls  contacts remember a rolling spring
+  Section(std::size_t first, bool rolls)
+      : first(first),
+        last(first),
+        near_pairs(false, rolls),
+        near_walls(true, rolls),
+        old_near_pairs(false, rolls),
+        old_near_walls(true, rolls) {}
+
+  std::size_t first = 0, last = 0;  ///< bodies first … last − 1
+  Lists lists;
+  NearList near_pairs, near_walls;   ///< level 3
+  std::vector<std::int32_t> needed;  ///< placed spheres of these bodies that any near candidate needs
+
+  // As they were before the change under way.
+  Lists old;
+  NearList old_near_pairs, old_near_walls;
+
+  /// near_pairs and near_walls anew, from the candidates whose `near` is set.
+  void gather_near(std::span<const PlacedSphere> placed);
+};
+
+}  // namespace repose
