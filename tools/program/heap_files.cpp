@@ -2,6 +2,7 @@
 
 #include "engine/output/heap_files.hpp"
 #include "tools/program/output_folder.hpp"
+#include "tools/report/heap_plot.hpp"
 #include "tools/report/profile_plot.hpp"
 
 namespace repose::program {

@@ -11,6 +11,7 @@
 #include "tools/program/interrupt.hpp"
 #include "tools/program/output_folder.hpp"
 #include "tools/program/progress_line.hpp"
+#include "tools/report/heap_plot.hpp"
 #include "tools/report/profile_plot.hpp"
 
 namespace repose::program {
