@@ -18,42 +18,41 @@ void NearList::make_room(std::size_t entries) {
   for (std::size_t k = old; k < room; ++k) history[k] = kRecord * static_cast<std::int32_t>(k);
 }
 
-void NearList::set(std::size_t k, std::int32_t a, std::int32_t b, std::span<const PlacedSphere> placed) {
-  const auto body_of = [&](std::int32_t sphere) {
-    return kLine * placed[static_cast<std::size_t>(sphere)].body;
-  };
-  sphere_a[k] = kLine * a, body_a[k] = body_of(a);
-  sphere_b[k] = of_walls ? b : kLine * b, body_b[k] = of_walls ? 0 : body_of(b);
+void NearList::set(std::size_t k, std::int32_t a, std::int32_t b, const BodyPair& bodies) {
+  sphere_a[k] = kLine * a, body_a[k] = kLine * bodies.i;
+  sphere_b[k] = of_walls ? b : kLine * b, body_b[k] = of_walls ? 0 : kLine * bodies.j;
 }
 
-void NearList::append(std::int32_t a, std::int32_t b, std::span<const PlacedSphere> placed,
-                      const NearList& from, std::size_t k) {
+void NearList::append(std::int32_t a, std::int32_t b, const BodyPair& bodies, const NearList& from,
+                      std::size_t k) {
   make_room(count + 2 * kBlock);
   if (count % kBlock == 0) touching.push_back(0);
   touching.back() = static_cast<std::uint8_t>(touching.back() | (1U << (count % kBlock)));
-  set(count, a, b, placed);
+  set(count, a, b, bodies);
   copy_history(from, k, count++);
 }
 
-void NearList::gather(const CandidateArrays& candidates, std::span<const PlacedSphere> placed,
-                      const NearList& old) {
+void NearList::gather(const CandidateArrays& candidates, std::span<const std::size_t> begin,
+                      std::span<const BodyPair> bodies, const NearList& old) {
   clear();
+  std::size_t group = 0;
   for_each_flag(candidates.near, [&](std::size_t c) {
+    while (begin[group + 1] <= c) ++group;
     make_room(count + 2 * kBlock);
-    set(count, candidates.a[c], candidates.b[c], placed);
-    forget(count++);
+    set(count++, candidates.a[c], candidates.b[c], bodies[group]);
   });
   make_room(count + kBlock);
   touching.assign((count + kBlock - 1) / kBlock, 0);
-  for (std::size_t k = count; k < blocks() * kBlock; ++k) {
-    set(k, 0, 0, placed);
-    forget(k);
-  }
+  for (std::size_t k = count; k < blocks() * kBlock; ++k) set(k, 0, 0, {});
+  remember(old);
+}
 
+/// Both lists ascend: one pass over them.
+void NearList::remember(const NearList& old) {
   const auto together = [](std::int32_t high, std::int32_t low) {
     return (static_cast<std::int64_t>(high) << 32) | low;
   };
-  const auto bodies = [&](const NearList& list, std::size_t at) {
+  const auto of_bodies_at = [&](const NearList& list, std::size_t at) {
     return together(list.body_a[at], list.body_b[at]);
   };
   const auto spheres = [&](const NearList& list, std::size_t at) {
@@ -61,9 +60,9 @@ void NearList::gather(const CandidateArrays& candidates, std::span<const PlacedS
   };
   std::size_t k = 0;
   old.for_each_touched([&](const NearList&, std::size_t was) {
-    const std::int64_t of_bodies = bodies(old, was), of_spheres = spheres(old, was);
-    while (k < count && (bodies(*this, k) < of_bodies ||
-                         (bodies(*this, k) == of_bodies && spheres(*this, k) < of_spheres)))
+    const std::int64_t of_bodies = of_bodies_at(old, was), of_spheres = spheres(old, was);
+    while (k < count && (of_bodies_at(*this, k) < of_bodies ||
+                         (of_bodies_at(*this, k) == of_bodies && spheres(*this, k) < of_spheres)))
       ++k;
     if (k == count || spheres(*this, k) != of_spheres) return;
     copy_history(old, was, k);

@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "engine/dynamics/cell_grid.hpp"
+
 namespace repose {
 
 /// A sphere of a body, placed in the world where some candidate needs it; one cache line.
@@ -73,7 +75,7 @@ struct NearList {
   std::vector<std::int32_t> sphere_a, sphere_b;  ///< of PlacedSphere; at a wall b is the wall's number
   std::vector<std::int32_t> body_a, body_b;      ///< of the bodies' records
   std::vector<std::uint8_t> touching;            ///< one bit per candidate of a block, at the last step
-  // What contacts remember; zero where they do not touch.
+  // What contacts remember; of those that touch.
   std::vector<SpringRecord> spring;
   std::vector<RollingRecord> rolling;  ///< empty unless `rolls`
   std::size_t count = 0;               ///< without padding
@@ -90,8 +92,8 @@ struct NearList {
   [[nodiscard]] std::size_t second(std::size_t k) const {
     return static_cast<std::size_t>(of_walls ? sphere_b[k] : sphere_b[k] / kLine);
   }
-  /// Candidate k does not touch any more, and remembers nothing.
-  void forget(std::size_t k) {
+  /// Candidate k begins to touch, and remembers nothing.
+  void begin(std::size_t k) {
     spring[k] = {};
     if (rolls) rolling[k] = {};
   }
@@ -104,16 +106,17 @@ struct NearList {
   }
   void clear() { touching.clear(), count = 0; }
   /// Adds a candidate that touches and remembers what candidate k of another list does.
-  void append(std::int32_t a, std::int32_t b, std::span<const PlacedSphere> placed, const NearList& from,
-              std::size_t k);
+  void append(std::int32_t a, std::int32_t b, const BodyPair& bodies, const NearList& from, std::size_t k);
   /// Takes the candidates whose `near` is set. Of those that touched, the ones that are near keep what `old`,
-  /// this list as it was before, remembers of them; the others forget. The padding is the dummy of `placed`
-  /// against itself.
-  void gather(const CandidateArrays& candidates, std::span<const PlacedSphere> placed, const NearList& old);
+  /// this list as it was before, remembers of them. The padding is the dummy sphere against itself.
+  /// @param begin, bodies  candidates begin[g] … begin[g+1]−1 are of bodies[g]; at walls j counts for nothing
+  void gather(const CandidateArrays& candidates, std::span<const std::size_t> begin,
+              std::span<const BodyPair> bodies, const NearList& old);
 
  private:
   void make_room(std::size_t entries);
-  void set(std::size_t k, std::int32_t a, std::int32_t b, std::span<const PlacedSphere> placed);
+  void set(std::size_t k, std::int32_t a, std::int32_t b, const BodyPair& bodies);
+  void remember(const NearList& old);
   void copy_history(const NearList& from, std::size_t at, std::size_t to) {
     spring[to] = from.spring[at];
     if (rolls) rolling[to] = from.rolling[at];

@@ -133,12 +133,12 @@ struct PowerSum {
   }
 };
 
-/// Brings a block of near candidates to this step; candidates that no longer touch forget.
+/// Brings a block of near candidates to this step.
 inline void mark_touching(NearList& near, std::size_t block, unsigned touching) {
   const unsigned before = near.touching[block];
   near.touching[block] = static_cast<std::uint8_t>(touching);
-  for (unsigned parted = before & ~touching; parted != 0; parted &= parted - 1)
-    near.forget(block * NearList::kBlock + static_cast<std::size_t>(std::countr_zero(parted)));
+  for (unsigned met = touching & ~before; met != 0; met &= met - 1)
+    near.begin(block * NearList::kBlock + static_cast<std::size_t>(std::countr_zero(met)));
 }
 
 }  // namespace repose

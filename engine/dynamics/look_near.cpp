@@ -34,7 +34,7 @@ void ContactList::look_near(const Bodies& bodies, std::span<const Wall> walls, b
   });
   each_section(crew, [&](Section& section) {
     look_at(bodies, all_walls, section);
-    section.gather_near(placed);
+    section.gather_near();
     flag_needed(section);
   });
   each_section(crew, [&](Section& section) { collect_needed(section); });

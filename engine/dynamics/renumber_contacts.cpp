@@ -33,7 +33,7 @@ void ContactList::renumber(const Bodies& bodies, std::span<const int> new_index,
       if (new_index[i] >= 0) (*array)[static_cast<std::size_t>(new_index[i])] = (*array)[i];
   until_.resize(bodies.count, bodies.padded());
   each_section(crew, [&](Section& section) {
-    if (section.first >= first_section * section_bodies_) section.gather_near(placed);
+    if (section.first >= first_section * section_bodies_) section.gather_near();
     flag_needed(section);
   });
   each_section(crew, [&](Section& section) { collect_needed(section); });
@@ -109,14 +109,15 @@ void ContactList::move_contacts(const Renumbering& to, const Section& from) {
     if (!to.stays(i) || !to.stays(j)) return;
     section_of(static_cast<std::size_t>(to.body[i]))
         .near_pairs.append(to.moved(static_cast<std::int32_t>(old.first(k)), i),
-                           to.moved(static_cast<std::int32_t>(old.second(k)), j), placed, old, k);
+                           to.moved(static_cast<std::int32_t>(old.second(k)), j), {to.body[i], to.body[j]},
+                           old, k);
   });
   from.old_near_walls.for_each_touched([&](const NearList& old, std::size_t k) {
     const std::size_t i = body_at(old.body_a[k]);
     if (!to.stays(i)) return;
     section_of(static_cast<std::size_t>(to.body[i]))
-        .near_walls.append(to.moved(static_cast<std::int32_t>(old.first(k)), i), old.sphere_b[k], placed, old,
-                           k);
+        .near_walls.append(to.moved(static_cast<std::int32_t>(old.first(k)), i), old.sphere_b[k],
+                           {to.body[i], 0}, old, k);
   });
 }
 

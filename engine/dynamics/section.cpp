@@ -12,11 +12,13 @@ void Section::Lists::clear() {
   walls.clear();
 }
 
-void Section::gather_near(std::span<const PlacedSphere> placed) {
+void Section::gather_near() {
   std::swap(near_pairs, old_near_pairs);
-  near_pairs.gather(lists.pairs, placed, old_near_pairs);
+  near_pairs.gather(lists.pairs, lists.pair_begin, lists.body_pairs, old_near_pairs);
   std::swap(near_walls, old_near_walls);
-  near_walls.gather(lists.walls, placed, old_near_walls);
+  for (std::size_t i = first + own_bodies_.size(); i < last; ++i)
+    own_bodies_.push_back({static_cast<int>(i), 0});
+  near_walls.gather(lists.walls, lists.wall_begin, own_bodies_, old_near_walls);
 }
 
 }  // namespace repose

@@ -46,7 +46,10 @@ struct Section {
   NearList old_near_pairs, old_near_walls;
 
   /// near_pairs and near_walls anew, from the candidates whose `near` is set.
-  void gather_near(std::span<const PlacedSphere> placed);
+  void gather_near();
+
+ private:
+  std::vector<BodyPair> own_bodies_;  ///< each with nothing, as walls' candidates are grouped
 };
 
 }  // namespace repose

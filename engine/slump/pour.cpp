@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/slump/curve_order.hpp"
 #include "engine/slump/packing.hpp"
 
 namespace repose {
@@ -68,7 +69,11 @@ void Pour::place_all(Simulation& simulation) {
                                         rain ? kRainFraction : kPackingFraction, placement_);
   no_room_ = !packing.clear;
   if (no_room_) return;
-  for (NewBody body : packing.bodies) {
+  std::vector<Vec3> places;
+  for (const NewBody& body : packing.bodies) places.push_back(body.position);
+  for (const std::size_t k : curve_order(places, std::cbrt(total_mass_ / static_cast<double>(places.size()) /
+                                                           scene_.particles.material.density))) {
+    NewBody body = packing.bodies[k];
     if (rain) body.velocity = {0.0, 0.0, -test.pour_speed};
     simulation.add(body);
   }

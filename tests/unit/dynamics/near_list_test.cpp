@@ -5,46 +5,47 @@
 
 #include "engine/base/random.hpp"
 #include "engine/dynamics/candidates.hpp"
+#include "engine/dynamics/contact_block.hpp"
 
 namespace repose::test {
 namespace {
-
-/// Spheres 1 … n behind the dummy, two a body.
-std::vector<PlacedSphere> spheres_of_two(int n) {
-  std::vector<PlacedSphere> placed(static_cast<std::size_t>(n) + 1);
-  for (int s = 1; s <= n; ++s) placed[static_cast<std::size_t>(s)].body = (s - 1) / 2;
-  return placed;
-}
 
 using Spheres = std::pair<std::size_t, std::size_t>;
 using Memory = std::map<Spheres, double>;  ///< of the contacts that touch
 
 Memory memory_of(const NearList& list) {
   Memory memory;
-  for (std::size_t k = 0; k < list.count; ++k) {
+  list.for_each_touched([&](const NearList&, std::size_t k) {
     const double value = list.spring[k].value[0];
-    if (list.touched(k))
-      memory[{list.first(k), list.second(k)}] = value;
-    else
-      EXPECT_EQ(value, 0.0);
+    memory[{list.first(k), list.second(k)}] = value;
     if (list.rolls) {
       EXPECT_EQ(list.rolling[k].torque[1], -value);
     }
-  }
+  });
   return memory;
 }
 
-/// Candidates between bodies i > j, sorted by bodies and then spheres, each near with probability 0.6.
-CandidateArrays random_candidates(RandomStream& random, int bodies) {
-  CandidateArrays candidates;
+/// Candidates between bodies i > j, two spheres a body (2 i + 1 and 2 i + 2), sorted by bodies and then
+/// spheres, each near with probability 0.6.
+struct Candidates {
+  CandidateArrays arrays;
+  std::vector<BodyPair> bodies;
+  std::vector<std::size_t> begin{0};
+
+  void gather_into(NearList& list, const NearList& old) const { list.gather(arrays, begin, bodies, old); }
+};
+
+Candidates random_candidates(RandomStream& random, int bodies) {
+  Candidates candidates;
   for (int i = 0; i < bodies; ++i)
-    for (int j = 0; j < i; ++j)
+    for (int j = 0; j < i; ++j) {
       for (int a = 1; a <= 2; ++a)
-        for (int b = 1; b <= 2; ++b) {
-          if (random.uniform() < 0.3) continue;
-          candidates.push(2 * i + a, 2 * j + b);
-          candidates.set_near(candidates.count() - 1, 1, random.uniform() < 0.6 ? 1U : 0U);
-        }
+        for (int b = 1; b <= 2; ++b)
+          if (random.uniform() >= 0.3)
+            candidates.arrays.push(2 * i + a, 2 * j + b, random.uniform() < 0.6 ? 1 : 0);
+      candidates.bodies.push_back({i, j});
+      candidates.begin.push_back(candidates.arrays.count());
+    }
   return candidates;
 }
 
@@ -60,41 +61,57 @@ void touch_some(RandomStream& random, NearList& list) {
 
 TEST(NearList, ContactsThatStayNearRememberAndNoOthers) {
   RandomStream random(5, 11);
-  const std::vector<PlacedSphere> placed = spheres_of_two(12);
   for (const bool rolls : {false, true})
     for (int trial = 0; trial < 100; ++trial) {
-      const CandidateArrays before = random_candidates(random, 6), after = random_candidates(random, 6);
+      const Candidates before = random_candidates(random, 6), after = random_candidates(random, 6);
       NearList old(false, rolls), list(false, rolls);
-      old.gather(before, placed, list);
+      before.gather_into(old, list);
       touch_some(random, old);
+      const Memory was = memory_of(old);
       Memory expected;
-      for (std::size_t c = 0; c < after.count(); ++c) {
-        const Spheres key(after.a[c], after.b[c]);
-        const Memory was = memory_of(old);
-        if (after.near[c] != 0 && was.contains(key)) expected.insert(*was.find(key));
+      for (std::size_t c = 0; c < after.arrays.count(); ++c) {
+        const Spheres key(after.arrays.a[c], after.arrays.b[c]);
+        if (after.arrays.near[c] != 0 && was.contains(key)) expected.insert(*was.find(key));
       }
-      list.gather(after, placed, old);
+      after.gather_into(list, old);
       EXPECT_EQ(memory_of(list), expected);
+      for (std::size_t k = 0; k < list.count; ++k) {
+        EXPECT_EQ(list.body_a[k], NearList::kLine * static_cast<int>((list.first(k) - 1) / 2));
+        EXPECT_EQ(list.body_b[k], NearList::kLine * static_cast<int>((list.second(k) - 1) / 2));
+      }
     }
 }
 
 TEST(NearList, AppendedContactsAreRememberedByTheNextGathering) {
   RandomStream random(6, 11);
-  const std::vector<PlacedSphere> placed = spheres_of_two(12);
   for (const bool rolls : {false, true})
     for (int trial = 0; trial < 100; ++trial) {
-      const CandidateArrays candidates = random_candidates(random, 6);
+      const Candidates candidates = random_candidates(random, 6);
       NearList old(false, rolls), list(false, rolls), kept(false, rolls);
-      old.gather(candidates, placed, list);
+      candidates.gather_into(old, list);
       touch_some(random, old);
       old.for_each_touched([&](const NearList& from, std::size_t k) {
+        const BodyPair bodies{from.body_a[k] / NearList::kLine, from.body_b[k] / NearList::kLine};
         kept.append(static_cast<std::int32_t>(from.first(k)), static_cast<std::int32_t>(from.second(k)),
-                    placed, from, k);
+                    bodies, from, k);
       });
       EXPECT_EQ(memory_of(kept), memory_of(old));
-      list.gather(candidates, placed, kept);
+      candidates.gather_into(list, kept);
       EXPECT_EQ(memory_of(list), memory_of(old));
     }
+}
+
+TEST(NearList, CandidatesThatBeginToTouchRememberNothing) {
+  RandomStream random(7, 11);
+  NearList list(false, true);
+  random_candidates(random, 6).gather_into(list, NearList(false, true));
+  touch_some(random, list);
+  const unsigned before = list.touching[0];
+  for (std::size_t k = 0; k < NearList::kBlock; ++k) list.spring[k].value[0] = 1.0 + static_cast<double>(k);
+  mark_touching(list, 0, 0xff);
+  for (std::size_t k = 0; k < NearList::kBlock; ++k)
+    EXPECT_EQ(list.spring[k].value[0], (before >> k & 1U) != 0 ? 1.0 + static_cast<double>(k) : 0.0);
+  EXPECT_EQ(list.touching[0], 0xff);
 }
 
 TEST(NearList, VisitsEveryFlagThatIsSet) {
