@@ -1,6 +1,7 @@
 #include "engine/base/crew.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <ctime>
 #include <utility>
 
@@ -9,18 +10,19 @@ namespace repose {
 namespace {
 
 /// Looks again and again for some ten microseconds, longer than the leader takes between two phases; then
-/// lets others have the core between looks.
+/// lets others have the core between looks, and at last sleeps: the leader is packing or writing.
 class Patience {
  public:
   void wait() {
-    if (++looks_ > kLooks) return std::this_thread::yield();
+    if (++looks_ > kYields) return std::this_thread::sleep_for(std::chrono::microseconds(50));
+    if (looks_ > kLooks) return std::this_thread::yield();
 #if defined(__x86_64__) || defined(__i386__)
     __builtin_ia32_pause();
 #endif
   }
 
  private:
-  static constexpr int kLooks = 2000;
+  static constexpr int kLooks = 2000, kYields = 4000;
   int looks_ = 0;
 };
 

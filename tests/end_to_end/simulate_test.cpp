@@ -87,7 +87,7 @@ TEST(Simulate, IsTheSameOnSeveralThreads) {
             without_cpu_time(repose({"simulate", file, "--threads", "3", "--json"}).out));
   const Finished none = repose({"simulate", file, "--threads", "0"});
   EXPECT_EQ(none.code, 2);
-  EXPECT_NE(none.err.find("--threads: 0: must be between 1 and 4096"), std::string::npos) << none.err;
+  EXPECT_NE(none.err.find("--threads: 0: must be between 1 and 16"), std::string::npos) << none.err;
 }
 
 TEST(Simulate, SetByFactorAndByPointerAreTheSameAndChangeTheRunsKey) {

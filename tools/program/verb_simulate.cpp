@@ -38,7 +38,8 @@ Scene checked_scene(const SimulateOptions& options, CaseDocument& document) {
   if (!options.out.empty()) check_folder(faults, options.out);
   check_range(faults, "--frames", options.frames, 0, kMostFrames,
               fmt::format("must be between 0 and {}", kMostFrames));
-  check_threads(faults, options.threads);
+  check_range(faults, "--threads", options.threads, 1, Crew::kMostMembers,
+              fmt::format("must be between 1 and {}", Crew::kMostMembers));
   if (options.seed && *options.seed < 0)
     faults.add("--seed", "", std::to_string(*options.seed), "must be 0 or more");
   if (options.frames > 0 && options.out.empty())
