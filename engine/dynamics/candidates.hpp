@@ -82,9 +82,6 @@ struct NearList {
   bool of_walls = false, rolls = false;
 
   [[nodiscard]] std::size_t blocks() const { return touching.size(); }
-  [[nodiscard]] bool touched(std::size_t k) const {
-    return ((touching[k / kBlock] >> (k % kBlock)) & 1U) != 0;
-  }
   /// Index of the first side's sphere in `placed`; of the second side's, or of the wall.
   [[nodiscard]] std::size_t first(std::size_t k) const {
     return static_cast<std::size_t>(sphere_a[k] / kLine);

@@ -1,9 +1,7 @@
 // Level 3 of ContactList: candidates that may touch soon.
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "engine/dynamics/contact_list.hpp"
 #include "engine/dynamics/simd_records.hpp"

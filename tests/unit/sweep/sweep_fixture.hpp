@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -104,5 +105,17 @@ std::string message_of(Call&& call) {
   }
   return "";
 }
+
+class SweepTest : public testing::Test {
+ protected:
+  std::filesystem::path study() const { return folder_ / "study"; }
+  /// What the whole sweep gives when nothing interferes.
+  std::string undisturbed(const Json& sweep) const {
+    const std::filesystem::path folder = folder_ / "undisturbed";
+    run_sweep(document_of(case_with(sweep)), folder, with_fake_run());
+    return results_in(folder);
+  }
+  test::TemporaryFolder folder_;
+};
 
 }  // namespace repose::sweep
