@@ -5,6 +5,15 @@
 
 namespace repose {
 
+BodyAxes axes_of(const Vec3& position, const Mat3& turn, double scale) {
+  BodyAxes axes;
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row) axes.column[column][row] = scale * turn(row, column);
+  for (int k = 0; k < 3; ++k) axes.position[k] = position[k];
+  axes.position[3] = scale;
+  return axes;
+}
+
 Bodies::Bodies(std::span<const Clump> clumps, double density_of_all)
     : shapes(clumps.begin(), clumps.end()), density(density_of_all) {
   oriented = std::any_of(shapes.begin(), shapes.end(), [](const Clump& clump) {
@@ -47,11 +56,7 @@ std::size_t Bodies::add(const NewBody& body) {
   const Vec3 momentum =
       axes_of_body * moments.asDiagonal() * axes_of_body.transpose() * body.angular_velocity;
   lx[i] = momentum.x(), ly[i] = momentum.y(), lz[i] = momentum.z();
-  for (int column = 0; column < 3; ++column)
-    for (int row = 0; row < 3; ++row) axes[i].column[column][row] = axes_of_body(row, column);
-
-  for (int k = 0; k < 3; ++k) axes[i].position[k] = body.position[k];
-  axes[i].position[3] = s;
+  axes[i] = axes_of(body.position, axes_of_body, s);
 
   motion[i] = {};
   for (int k = 0; k < 3; ++k) {

@@ -42,12 +42,16 @@ struct alignas(64) BodyLoad {
   }
 };
 
-/// Where a body's spheres are: the world axes of its principal frame, one column a row of four, and its
-/// centre of mass, so that an offset is placed with four vector steps; and its scale. Two cache lines.
+/// Where a body's spheres are: the world axes of its principal frame times its scale, one column a row of
+/// four, and its centre of mass, so that an offset is placed with four vector steps; and its scale. Two cache
+/// lines. Bodies that are single spheres (Bodies::oriented) keep the columns they began with.
 struct alignas(64) BodyAxes {
   double column[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
   double position[4] = {0.0, 0.0, 0.0, 1.0};  ///< [m], and the body's scale
 };
+
+/// @param turn  body to world
+BodyAxes axes_of(const Vec3& position, const Mat3& turn, double scale);
 
 /// A body to be added.
 struct NewBody {

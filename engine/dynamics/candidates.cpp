@@ -10,17 +10,16 @@ void CandidateArrays::append(const CandidateArrays& from, std::size_t begin, std
 }
 
 void NearList::make_room(std::size_t entries) {
-  if (history.size() >= entries) return;
-  const std::size_t old = history.size(), room = entries + entries / 2;
-  for (auto* array : {&history, &sphere_a, &sphere_b, &body_a, &body_b}) array->resize(room);
+  if (spring.size() >= entries) return;
+  const std::size_t room = entries + entries / 2;
+  for (auto* array : {&sphere_a, &sphere_b, &placed_a, &placed_b, &body_a, &body_b}) array->resize(room);
   spring.resize(room);
   if (rolls) rolling.resize(room);
-  for (std::size_t k = old; k < room; ++k) history[k] = kRecord * static_cast<std::int32_t>(k);
 }
 
 void NearList::set(std::size_t k, std::int32_t a, std::int32_t b, const BodyPair& bodies) {
-  sphere_a[k] = kLine * a, body_a[k] = kLine * bodies.i;
-  sphere_b[k] = of_walls ? b : kLine * b, body_b[k] = of_walls ? 0 : kLine * bodies.j;
+  sphere_a[k] = a, body_a[k] = kLine * bodies.i;
+  sphere_b[k] = b, body_b[k] = of_walls ? 0 : kLine * bodies.j;
 }
 
 void NearList::append(std::int32_t a, std::int32_t b, const BodyPair& bodies, const NearList& from,
@@ -45,6 +44,16 @@ void NearList::gather(const CandidateArrays& candidates, std::span<const std::si
   touching.assign((count + kBlock - 1) / kBlock, 0);
   for (std::size_t k = count; k < blocks() * kBlock; ++k) set(k, 0, 0, {});
   remember(old);
+}
+
+void NearList::find_places(std::span<const std::int32_t> place_of) {
+  const auto offset = [&](std::int32_t sphere) {
+    return kRecord * place_of[static_cast<std::size_t>(sphere)];
+  };
+  for (std::size_t k = 0; k < blocks() * kBlock; ++k) {
+    placed_a[k] = offset(sphere_a[k]);
+    placed_b[k] = of_walls ? sphere_b[k] : offset(sphere_b[k]);
+  }
 }
 
 /// Both lists ascend: one pass over them.

@@ -12,19 +12,10 @@
 
 namespace repose {
 
-/// A sphere of a body, placed in the world where some candidate needs it; one cache line.
-struct alignas(64) PlacedSphere {
+/// A sphere of a body in the world; half a cache line.
+struct alignas(32) PlacedSphere {
   double centre[3] = {};  ///< [m]
   double radius = 0.0;    ///< [m]
-  double arm[3] = {};     ///< centre of the sphere − centre of mass of its body [m]
-  std::int32_t body = 0;
-  std::int32_t local = 0;  ///< index of its LocalSphere
-};
-
-/// A sphere of a shape of scale 1, in the frame of its body [m].
-struct alignas(32) LocalSphere {
-  double centre[3] = {};
-  double radius = 0.0;
 };
 
 /// What a contact remembers (contact/hertz_mindlin.hpp, contact/rolling.hpp).
@@ -40,8 +31,8 @@ struct alignas(32) RollingRecord {
 /// Candidates for contact as flat arrays. There are many times more of them than contacts, so they hold
 /// nothing else: what contacts remember is in the NearList.
 struct CandidateArrays {
-  std::vector<std::int32_t> a;     ///< placed sphere of body i
-  std::vector<std::int32_t> b;     ///< placed sphere of body j; for a wall candidate the wall
+  std::vector<std::int32_t> a;     ///< sphere of body i
+  std::vector<std::int32_t> b;     ///< sphere of body j; for a wall candidate the wall
   std::vector<std::uint8_t> near;  ///< 1: may touch before its bodies are looked at again
 
   [[nodiscard]] std::size_t count() const { return a.size(); }
@@ -63,16 +54,17 @@ struct CandidateArrays {
 /// touch.
 struct NearList {
   static constexpr std::size_t kBlock = 8;
-  static constexpr std::int32_t kLine = 8;    ///< doubles of a placed sphere's or body's record
-  static constexpr std::int32_t kRecord = 4;  ///< doubles of a SpringRecord or RollingRecord
+  static constexpr std::int32_t kLine = 8;    ///< doubles of a body's record
+  static constexpr std::int32_t kRecord = 4;  ///< doubles of a PlacedSphere, SpringRecord or RollingRecord
 
   /// @param of_walls  the second side is a wall
   /// @param rolls     contacts remember a rolling spring
   NearList(bool of_walls, bool rolls) : of_walls(of_walls), rolls(rolls) {}
 
+  std::vector<std::int32_t> sphere_a,
+      sphere_b;  ///< among those of all bodies; at a wall b is the wall's number
   // Offsets of records, in doubles.
-  std::vector<std::int32_t> history;             ///< of `spring` and `rolling`: kRecord times the place
-  std::vector<std::int32_t> sphere_a, sphere_b;  ///< of PlacedSphere; at a wall b is the wall's number
+  std::vector<std::int32_t> placed_a, placed_b;  ///< of PlacedSphere; at a wall b is the wall's number
   std::vector<std::int32_t> body_a, body_b;      ///< of the bodies' records
   std::vector<std::uint8_t> touching;            ///< one bit per candidate of a block, at the last step
   // What contacts remember; of those that touch.
@@ -82,12 +74,18 @@ struct NearList {
   bool of_walls = false, rolls = false;
 
   [[nodiscard]] std::size_t blocks() const { return touching.size(); }
-  /// Index of the first side's sphere in `placed`; of the second side's, or of the wall.
-  [[nodiscard]] std::size_t first(std::size_t k) const {
-    return static_cast<std::size_t>(sphere_a[k] / kLine);
+  [[nodiscard]] const PlacedSphere& first(std::span<const PlacedSphere> placed, std::size_t k) const {
+    return placed[static_cast<std::size_t>(placed_a[k] / kRecord)];
   }
-  [[nodiscard]] std::size_t second(std::size_t k) const {
-    return static_cast<std::size_t>(of_walls ? sphere_b[k] : sphere_b[k] / kLine);
+  [[nodiscard]] const PlacedSphere& second(std::span<const PlacedSphere> placed, std::size_t k) const {
+    return placed[static_cast<std::size_t>(placed_b[k] / kRecord)];
+  }
+  [[nodiscard]] std::size_t wall(std::size_t k) const { return static_cast<std::size_t>(placed_b[k]); }
+  [[nodiscard]] std::size_t first_body(std::size_t k) const {
+    return static_cast<std::size_t>(body_a[k] / kLine);
+  }
+  [[nodiscard]] std::size_t second_body(std::size_t k) const {
+    return static_cast<std::size_t>(body_b[k] / kLine);
   }
   /// Candidate k begins to touch, and remembers nothing.
   void begin(std::size_t k) {
@@ -109,6 +107,11 @@ struct NearList {
   /// @param begin, bodies  candidates begin[g] … begin[g+1]−1 are of bodies[g]; at walls j counts for nothing
   void gather(const CandidateArrays& candidates, std::span<const std::size_t> begin,
               std::span<const BodyPair> bodies, const NearList& old);
+  /// Sets placed_a and placed_b.
+  /// @param place_of  index of each sphere's PlacedSphere
+  void find_places(std::span<const std::int32_t> place_of);
+  /// Candidate k is one of another wall.
+  void set_wall(std::size_t k, int wall) { sphere_b[k] = placed_b[k] = wall; }
 
  private:
   void make_room(std::size_t entries);

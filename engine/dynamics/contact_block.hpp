@@ -13,8 +13,8 @@ namespace repose {
 
 /// A block of kSimdWidth contacts between the arrays in memory and the contact law.
 static_assert(sizeof(BodyMotion) == 64 && sizeof(BodyLoad) == 64 && sizeof(BodyLead) == 64 &&
-              sizeof(PlacedSphere) == 64);
-static_assert(sizeof(SpringRecord) == 32 && sizeof(RollingRecord) == 32);
+              sizeof(BodyAxes) == 128);
+static_assert(sizeof(PlacedSphere) == 32 && sizeof(SpringRecord) == 32 && sizeof(RollingRecord) == 32);
 
 /// One side of a block: spheres with their bodies.
 struct BlockSide {
@@ -22,15 +22,26 @@ struct BlockSide {
   SimdReal radius, mass, inertia_term;
 };
 
+/// Where the centres of mass are, from what their spheres were placed by; those of single spheres are not
+/// kept there (BodyAxes), and have no arms.
+REPOSE_INLINE Triple<SimdReal> arm_of(const Bodies& bodies, const std::int32_t* body,
+                                      const Triple<SimdReal>& centre) {
+  if (!bodies.oriented) return {SimdReal(0.0), SimdReal(0.0), SimdReal(0.0)};
+  LaneOffsets at;
+  for (std::size_t lane = 0; lane < kSimdWidth; ++lane) at[lane] = 2 * body[lane];
+  const Fields4 position = load_fields4(bodies.axes.data()->position, at.data());
+  return centre - Triple<SimdReal>{position[0], position[1], position[2]};
+}
+
 /// @param sphere, body  offsets of the records, TouchingList
 REPOSE_INLINE BlockSide load_side(const Bodies& bodies, std::span<const PlacedSphere> placed,
                                   const std::int32_t* sphere, const std::int32_t* body) {
   BlockSide side;
-  const Fields8 s = load_fields8(placed.data()->centre, sphere);
+  const Fields4 s = load_fields4(placed.data()->centre, sphere);
   const Fields8 m = load_fields8(bodies.motion.data()->velocity, body);
   side.centre = {s[0], s[1], s[2]};
   side.radius = s[3];
-  side.arm = {s[4], s[5], s[6]};
+  side.arm = arm_of(bodies, body, side.centre);
   side.velocity = {m[0], m[1], m[2]};
   side.mass = m[3];
   side.w = {m[4], m[5], m[6]};

@@ -10,6 +10,15 @@
 
 namespace repose {
 
+namespace {
+
+/// A body's only sphere, at its centre of mass.
+PlacedSphere placed_alone(const Bodies& bodies, std::size_t i, const LocalSphere& local) {
+  return {{bodies.x[i], bodies.y[i], bodies.z[i]}, bodies.scale[i] * local.radius};
+}
+
+}  // namespace
+
 void ContactList::Until::resize(std::size_t count, std::size_t padded) {
   for (auto* array : {&bodies, &spheres, &near}) {
     array->resize(count);
@@ -64,60 +73,60 @@ bool ContactList::update(const Bodies& bodies, std::span<const Wall> walls, Crew
   return true;
 }
 
-void ContactList::copy_shapes(const Bodies& bodies) {
-  for (const Clump& shape : bodies.shapes) {
-    local_of_shape_.push_back(static_cast<std::int32_t>(local_.size()));
-    for (const Sphere& sphere : shape.spheres)
-      local_.push_back({{sphere.centre.x(), sphere.centre.y(), sphere.centre.z()}, sphere.radius});
-  }
+/// Of a sphere of body i, its row in LocalSpheres.
+std::size_t ContactList::local_row(const Bodies& bodies, std::size_t i, std::size_t sphere) const {
+  return static_cast<std::size_t>(local_.first_row[static_cast<std::size_t>(bodies.shape[i])]) + sphere -
+         first_sphere_[i];
 }
 
-void ContactList::append_spheres(const Bodies& bodies, std::size_t i) {
-  if (local_.empty()) copy_shapes(bodies);
-  std::int32_t local = local_of_shape_[static_cast<std::size_t>(bodies.shape[i])];
-  for (const Sphere& sphere : bodies.spheres(i)) {
-    PlacedSphere& to = placed.emplace_back();
-    to.radius = bodies.scale[i] * sphere.radius;
-    to.body = static_cast<std::int32_t>(i);
-    to.local = local++;
-  }
+/// A sphere of body i where the body is now.
+PlacedSphere ContactList::placed_now(const Bodies& bodies, std::size_t i, std::size_t sphere) const {
+  const LocalSphere& local = local_.rows[local_row(bodies, i, sphere)];
+  PlacedSphere at = placed_alone(bodies, i, local);
+  if (bodies.oriented) place_sphere(bodies.axes[i], local, at);
+  return at;
 }
 
 void ContactList::add_body(const Bodies& bodies) {
   const std::size_t i = bodies.count - 1;
   until_.resize(i, bodies.padded());
   for (auto* until : {&until_.bodies, &until_.spheres, &until_.near}) (*until)[i] = -1.0;
-  append_spheres(bodies, i);
-  first_sphere_.push_back(placed.size());
-  is_needed_.resize(placed.size(), 0);
+  const std::size_t spheres = first_sphere_.back() + bodies.spheres(i).size();
+  first_sphere_.push_back(spheres);
+  placed.resize(spheres);
+  place_of_.resize(spheres);
+  is_needed_.resize(spheres, 0);
   if (i % section_bodies_ == 0) sections.emplace_back(i, rolls_);
   sections.back().last = i + 1;
 }
 
 void ContactList::hand_over_wall(int from, int to, double side) {
-  const auto on_side = [&](std::size_t sphere) { return placed[sphere].centre[0] * side > 0.0; };
   for (Section& section : sections) {
     CandidateArrays& walls = section.lists.walls;
-    for (std::size_t c = 0; c < walls.count(); ++c)
-      if (walls.b[c] == from && on_side(static_cast<std::size_t>(walls.a[c]))) walls.b[c] = to;
     NearList& near = section.near_walls;
-    for (std::size_t k = 0; k < near.count; ++k)
-      if (near.sphere_b[k] == from && on_side(near.first(k))) near.sphere_b[k] = to;
+    std::size_t k = 0;  // the near ones are those whose flag is set; the next update lists all anew
+    for_each_flag(walls.near, [&](std::size_t c) {
+      if (walls.b[c] == from && near.first(placed, k).centre[0] * side > 0.0) {
+        walls.b[c] = to;
+        near.set_wall(k, to);
+      }
+      ++k;
+    });
   }
   renumbered_ = true;
 }
 
-void ContactList::place(const Bodies& bodies, PlacedSphere& sphere) const {
-  const auto i = static_cast<std::size_t>(sphere.body);
-  if (bodies.oriented) {
-    place_sphere(bodies.axes[i], local_[static_cast<std::size_t>(sphere.local)], sphere);
-  } else {  // single spheres at their bodies' centres: no arms
-    sphere.centre[0] = bodies.x[i], sphere.centre[1] = bodies.y[i], sphere.centre[2] = bodies.z[i];
-  }
-}
-
 void ContactList::place_spheres(const Bodies& bodies, const Section& section) {
-  for (const std::int32_t s : section.needed) place(bodies, placed[static_cast<std::size_t>(s)]);
+  PlacedSphere* to = placed.data() + first_sphere_[section.first];
+  if (bodies.oriented) {
+    for (const Section::Needed& needed : section.needed)
+      place_sphere(bodies.axes[static_cast<std::size_t>(needed.body)],
+                   local_.rows[static_cast<std::size_t>(needed.local)], *to++);
+  } else {
+    for (const Section::Needed& needed : section.needed)
+      *to++ = placed_alone(bodies, static_cast<std::size_t>(needed.body),
+                           local_.rows[static_cast<std::size_t>(needed.local)]);
+  }
 }
 
 }  // namespace repose

@@ -6,6 +6,8 @@
 
 #include "engine/base/crew.hpp"
 #include "engine/dynamics/bodies.hpp"
+#include "engine/dynamics/local_spheres.hpp"
+#include "engine/dynamics/reaching.hpp"
 #include "engine/dynamics/section.hpp"
 #include "engine/dynamics/wall.hpp"
 
@@ -39,11 +41,12 @@ class ContactList {
     double spheres = 0.0;  ///< s2 [m]
   };
 
+  /// @param shapes          those of the bodies (Bodies::shapes)
   /// @param dt              Δt [s]
   /// @param rolls           contacts remember a rolling spring
   /// @param section_bodies  of each section, a multiple of Bodies::kPadding
-  ContactList(Skins skins, double dt, bool rolls, std::size_t section_bodies)
-      : skins_(skins), dt_(dt), rolls_(rolls), section_bodies_(section_bodies) {}
+  ContactList(std::span<const Clump> shapes, Skins skins, double dt, bool rolls, std::size_t section_bodies)
+      : skins_(skins), dt_(dt), rolls_(rolls), section_bodies_(section_bodies), local_(shapes) {}
 
   /// Brings all levels up to date where some body or wall has used up its share. Contacts that stay keep
   /// their history. Returns false, with nothing changed, where a coordinate is not finite or farther than
@@ -57,12 +60,12 @@ class ContactList {
   /// the cylinder parts into halves and contacts keep their history.
   void hand_over_wall(int from, int to, double side);
 
-  /// Places every sphere of a section that a near candidate needs: centre = x + Σ_k axes_k · local_k.
+  /// Places every sphere of a section that a near candidate needs.
   void place_spheres(const Bodies& bodies, const Section& section);
 
-  /// All spheres, grouped by body, ascending, behind the dummy at 0 that touches nothing. Up to date where a
-  /// near candidate needs it. Only lines that are needed are ever touched, which is why the array may hold
-  /// all.
+  /// The spheres that near candidates need, behind the dummy at 0 that touches nothing. Those of a section
+  /// lie side by side, in the order of Section::needed; there is room for all its spheres, of which only what
+  /// is used is ever touched. As of the last step.
   std::vector<PlacedSphere> placed{1};
   std::vector<Section> sections;  ///< by their bodies; only the last is not full
 
@@ -90,9 +93,8 @@ class ContactList {
 
   [[nodiscard]] bool any_used_up(const Bodies& bodies) const;
   [[nodiscard]] static bool walls_moved(std::span<const Wall> now, std::span<const Wall> then, double share);
-  void append_spheres(const Bodies& bodies, std::size_t i);
-  void copy_shapes(const Bodies& bodies);
-  void place(const Bodies& bodies, PlacedSphere& sphere) const;
+  [[nodiscard]] std::size_t local_row(const Bodies& bodies, std::size_t i, std::size_t sphere) const;
+  [[nodiscard]] PlacedSphere placed_now(const Bodies& bodies, std::size_t i, std::size_t sphere) const;
   template <class Work>
   void each_section(Crew& crew, Work work) {
     crew.each(sections.size(), [&](std::size_t s) { work(sections[s]); });
@@ -102,6 +104,7 @@ class ContactList {
   struct Renumbering;
   Renumbering move_spheres(std::span<const int> new_index);
   void move_lists(const Renumbering& to, std::size_t first_section);
+  void move_placed(const Renumbering& from);
   void move_candidates(const Renumbering& to, const Section& from);
   void move_contacts(const Renumbering& to, const Section& from);
   [[nodiscard]] Section& section_of(std::size_t body) { return sections[body / section_bodies_]; }
@@ -117,15 +120,12 @@ class ContactList {
   void list_candidates(const Bodies& bodies, std::span<const Wall> walls, Relist anew, Crew& crew);
   void flag_moved(const Bodies& bodies);
   void begin_listing(Section& section, const CellGrid* grid);
-  void flag_to_place(const Bodies& bodies, const Section& section);
   [[nodiscard]] bool is_to_list(const BodyPair& pair) const;
   [[nodiscard]] bool in_reach(const Bodies& bodies, const BodyPair& pair) const;
   void list_pairs(const Bodies& bodies, Section& section) const;
-  void list_walls(const Bodies& bodies, std::span<const Wall> walls, bool all, Section& section);
-  void list_walls_of(const Bodies& bodies, std::size_t i, std::span<const Wall> walls, CandidateArrays& to);
-  void place_all(const Bodies& bodies, std::size_t i);
-  struct Reaching;
-  void find_reaching(const Bodies& bodies, std::size_t of, std::size_t into, Reaching& found) const;
+  void list_walls(const Bodies& bodies, std::span<const Wall> walls, bool all, Section& section) const;
+  void list_walls_of(const Bodies& bodies, std::size_t i, std::span<const Wall> walls,
+                     CandidateArrays& to) const;
   void list_pair(const Bodies& bodies, const BodyPair& pair, Reaching& of_i, Reaching& of_j,
                  CandidateArrays& to) const;
 
@@ -136,8 +136,9 @@ class ContactList {
   void look_at(const Bodies& bodies, bool all_walls, Section& section);
   void look_at_pair(const Bodies& bodies, Section& section, std::size_t pair) const;
   void look_at_walls(const Bodies& bodies, Section& section, std::size_t i) const;
+  void find_places(const Bodies& bodies, Crew& crew);
   void flag_needed(const Section& section);
-  void collect_needed(Section& section) const;
+  void collect_needed(const Bodies& bodies, Section& section);
   [[nodiscard]] double left(const Bodies& bodies, std::size_t i) const {
     return until_.near[i] - bodies.travel[i];
   }
@@ -154,16 +155,17 @@ class ContactList {
   std::vector<Wall> looked_walls_;  ///< as of the last look at all of them
   double wall_share_ = 0.0;         ///< what a wall may move until the next look [m]
 
-  std::vector<std::size_t> first_sphere_{1};  ///< of each body in `placed`, and one past the last
-  std::vector<LocalSphere> local_;            ///< of all shapes, of scale 1
-  std::vector<std::int32_t> local_of_shape_;  ///< where each shape's begin
+  /// Spheres of all bodies are numbered body by body, from 1 on: of each body the first, and one past the
+  /// last.
+  std::vector<std::size_t> first_sphere_{1};
+  std::vector<std::int32_t> place_of_{0};  ///< of each sphere that is needed, in `placed`
+  LocalSpheres local_;
 
   // Flags of bodies and spheres; those that several sections may raise are raised by raise().
   using Flag = std::uint8_t;
   static void raise(Flag& flag);
   std::vector<Flag> is_needed_{0};  ///< spheres
   std::vector<Flag> moved_;         ///< bodies to list anew
-  std::vector<Flag> to_place_;      ///< bodies whose spheres are placed for this listing
   std::vector<Flag> is_looked_;
 };
 

@@ -48,12 +48,12 @@ ContactSurvey survey_contacts(const ForceStep& step, RollingModel model, const B
   if (bodies.count == 0) return survey;
   const std::vector<PlacedSphere>& placed = contacts.placed;
   contacts.for_each_pair([&](const NearList& near, std::size_t k) {
-    add_contact(step.pair_law, model, touch_of(placed[near.first(k)], placed[near.second(k)]), near.spring[k],
+    add_contact(step.pair_law, model, touch_of(near.first(placed, k), near.second(placed, k)), near.spring[k],
                 rolling_of(near, k), survey);
   });
   contacts.for_each_at_wall([&](const NearList& near, std::size_t k) {
-    const PlacedSphere& s = placed[near.first(k)];
-    const WallDistance wall = distance_to(walls[near.second(k)], Vec3(s.centre));
+    const PlacedSphere& s = near.first(placed, k);
+    const WallDistance wall = distance_to(walls[near.wall(k)], Vec3(s.centre));
     add_contact(step.wall_law, model, {s.radius - wall.distance, s.radius, s.radius}, near.spring[k],
                 rolling_of(near, k), survey);
   });

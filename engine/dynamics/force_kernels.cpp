@@ -7,13 +7,13 @@ namespace repose {
 void TouchingList::start(std::size_t most) {
   count = 0;
   if (history.size() >= most + NearList::kBlock) return;
-  for (auto* array : {&history, &sphere_a, &sphere_b, &body_a, &body_b})
+  for (auto* array : {&history, &placed_a, &placed_b, &body_a, &body_b})
     array->resize(most + most / 2 + NearList::kBlock);
 }
 
 void TouchingList::finish() {
   for (std::size_t k = count; k % kSimdWidth != 0; ++k)
-    for (auto* array : {&history, &sphere_a, &sphere_b, &body_a, &body_b}) (*array)[k] = (*array)[count - 1];
+    for (auto* array : {&history, &placed_a, &placed_b, &body_a, &body_b}) (*array)[k] = (*array)[count - 1];
 }
 
 template <>

@@ -36,7 +36,7 @@ struct ContactWork {
 /// last one to whole vectors. Kept from step to step, so that a step allocates nothing.
 struct TouchingList {
   std::vector<std::int32_t> history;             ///< of SpringRecord and RollingRecord
-  std::vector<std::int32_t> sphere_a, sphere_b;  ///< of PlacedSphere; at a wall b is the wall's number
+  std::vector<std::int32_t> placed_a, placed_b;  ///< of PlacedSphere; at a wall b is the wall's number
   std::vector<std::int32_t> body_a, body_b;      ///< of BodyMotion, BodyLoad and BodyLead
   std::size_t count = 0;
 
@@ -44,11 +44,12 @@ struct TouchingList {
   /// Appends the candidates of a block whose bit is set.
   void take(const NearList& near, std::size_t block, unsigned bits) {
     const std::size_t first = block * NearList::kBlock;
-    keep_lanes(near.history.data() + first, bits, history.data() + count);
-    keep_lanes(near.sphere_a.data() + first, bits, sphere_a.data() + count);
-    keep_lanes(near.sphere_b.data() + first, bits, sphere_b.data() + count);
-    keep_lanes(near.body_a.data() + first, bits, body_a.data() + count);
-    keep_lanes(near.body_b.data() + first, bits, body_b.data() + count);
+    const KeptLanes kept(bits);
+    kept.copy_multiples(NearList::kRecord, static_cast<std::int32_t>(first), history.data() + count);
+    kept.copy(near.placed_a.data() + first, placed_a.data() + count);
+    kept.copy(near.placed_b.data() + first, placed_b.data() + count);
+    kept.copy(near.body_a.data() + first, body_a.data() + count);
+    kept.copy(near.body_b.data() + first, body_b.data() + count);
     count += static_cast<std::size_t>(std::popcount(bits));
   }
   void finish();

@@ -181,13 +181,13 @@ REPOSE_INLINE Triple<T> rotate(Bodies& bodies, std::size_t first, const Twist& t
 
   const LaneOffsets at = neighbours(first, sizeof(BodyAxes) / sizeof(double));
   double* column = bodies.axes.data()->column[0];
+  const T scale = load(bodies.scale, first);
   for (const Triple<T>* axis : {&axes.c1, &axes.c2, &axes.c3}) {
-    store_fields4({axis->x, axis->y, axis->z, T(0.0)}, column, at.data(), kSimdWidth);
+    store_fields4({scale * axis->x, scale * axis->y, scale * axis->z, T(0.0)}, column, at.data(), kSimdWidth);
     column += 4;
   }
-  store_fields4(
-      {load(bodies.x, first), load(bodies.y, first), load(bodies.z, first), load(bodies.scale, first)},
-      bodies.axes.data()->position, at.data(), kSimdWidth);
+  store_fields4({load(bodies.x, first), load(bodies.y, first), load(bodies.z, first), scale},
+                bodies.axes.data()->position, at.data(), kSimdWidth);
   return to_world(axes, {inverse.x * l.x, inverse.y * l.y, inverse.z * l.z});
 }
 

@@ -1,23 +1,14 @@
 // Levels 1 and 2 of ContactList: pairs of bodies and their candidates.
 
-#include <bit>
 #include <cmath>
 #include <optional>
 
 #include "engine/dynamics/contact_list.hpp"
-#include "engine/dynamics/simd_records.hpp"
 
 namespace repose {
 
-/// Spheres of one body that reach into the bounding sphere of another.
-struct ContactList::Reaching {
-  std::vector<std::int32_t> sphere;     ///< in `placed`
-  std::vector<double> x, y, z, radius;  ///< padded to whole vectors with spheres that are far from all
-  std::size_t count = 0;
-};
-
-/// Sections are listed in phases, since a pair needs the spheres of bodies of other sections: which bodies
-/// are to be listed, whose spheres that takes, these placed, and the candidates.
+/// Sections are listed in two phases: all must have said which bodies are to be listed before their
+/// candidates are found.
 void ContactList::list_candidates(const Bodies& bodies, std::span<const Wall> walls, Relist anew,
                                   Crew& crew) {
   ++updates_;
@@ -27,11 +18,6 @@ void ContactList::list_candidates(const Bodies& bodies, std::span<const Wall> wa
   each_section(crew, [&](Section& section) { begin_listing(section, grid ? &*grid : nullptr); });
   if (anew.bodies)
     for (std::size_t i = 0; i < bodies.count; ++i) until_.bodies[i] = bodies.travel[i] + 0.5 * skins_.bodies;
-  each_section(crew, [&](const Section& section) { flag_to_place(bodies, section); });
-  each_section(crew, [&](const Section& section) {
-    for (std::size_t i = section.first; i < section.last; ++i)
-      if (to_place_[i]) place_all(bodies, i);
-  });
   each_section(crew, [&](Section& section) {
     list_pairs(bodies, section);
     list_walls(bodies, walls, anew.walls, section);
@@ -56,7 +42,6 @@ void ContactList::flag_moved(const Bodies& bodies) {
   moved_.resize(bodies.count);
   for (std::size_t i = 0; i < bodies.count; ++i)
     moved_[i] = bodies.travel[i] > until_.spheres[i] - 0.25 * skins_.spheres;
-  to_place_.assign(bodies.count, 0);
 }
 
 /// Sets the lists of before aside. With a grid the pairs of bodies are found anew; a pair that was not near
@@ -91,14 +76,6 @@ bool ContactList::in_reach(const Bodies& bodies, const BodyPair& pair) const {
   return dx * dx + dy * dy + dz * dz < bounds * bounds;
 }
 
-void ContactList::flag_to_place(const Bodies& bodies, const Section& section) {
-  for (const BodyPair& pair : section.lists.body_pairs) {
-    if (!is_to_list(pair) || !in_reach(bodies, pair)) continue;
-    raise(to_place_[static_cast<std::size_t>(pair.i)]);
-    raise(to_place_[static_cast<std::size_t>(pair.j)]);
-  }
-}
-
 /// Candidates of pairs that have not moved stay, and are taken over as long rows.
 void ContactList::list_pairs(const Bodies& bodies, Section& section) const {
   Section::Lists& lists = section.lists;
@@ -128,58 +105,24 @@ void ContactList::list_pairs(const Bodies& bodies, Section& section) const {
   take_over();
 }
 
-void ContactList::place_all(const Bodies& bodies, std::size_t i) {
-  for (std::size_t s = first_sphere_[i]; s < first_sphere_[i + 1]; ++s) place(bodies, placed[s]);
-}
-
-void ContactList::find_reaching(const Bodies& bodies, std::size_t of, std::size_t into,
-                                Reaching& found) const {
-  const std::size_t begin = first_sphere_[of], end = first_sphere_[of + 1];
-  const std::size_t room = end - begin + kSimdWidth;
-  if (found.x.size() < room) {
-    found.sphere.resize(room);
-    for (auto* array : {&found.x, &found.y, &found.z, &found.radius}) array->resize(room);
-  }
-  found.count = 0;
-  const double reach = bodies.reach[into] + skins_.spheres;
-  const double x = bodies.x[into], y = bodies.y[into], z = bodies.z[into];
-  for (std::size_t s = begin; s < end; ++s) {
-    const PlacedSphere& sphere = placed[s];
-    const double dx = sphere.centre[0] - x, dy = sphere.centre[1] - y, dz = sphere.centre[2] - z;
-    const double far = sphere.radius + reach;
-    const std::size_t k = found.count;
-    found.sphere[k] = static_cast<std::int32_t>(s);
-    found.x[k] = sphere.centre[0], found.y[k] = sphere.centre[1], found.z[k] = sphere.centre[2];
-    found.radius[k] = sphere.radius;
-    found.count += dx * dx + dy * dy + dz * dz < far * far ? 1 : 0;  // no branch: half of them are near
-  }
-  for (std::size_t k = found.count; k % kSimdWidth != 0; ++k) {
-    found.x[k] = found.y[k] = found.z[k] = 2.0 * kFarthest;
-    found.radius[k] = 0.0;
-  }
-}
-
 void ContactList::list_pair(const Bodies& bodies, const BodyPair& pair, Reaching& of_i, Reaching& of_j,
                             CandidateArrays& to) const {
   const auto i = static_cast<std::size_t>(pair.i), j = static_cast<std::size_t>(pair.j);
-  find_reaching(bodies, i, j, of_i);
+  const auto find = [&, origin = bodies.position(i)](std::size_t of, std::size_t into, Reaching& found) {
+    found.find(local_, {bodies.shape[of], bodies.axes[of], bodies.position(of), first_sphere_[of]},
+               bodies.position(into), bodies.reach[into] + skins_.spheres, origin);
+  };
+  find(i, j, of_i);
   if (of_i.count == 0) return;
-  find_reaching(bodies, j, i, of_j);
-  for (std::size_t a = 0; a < of_i.count; ++a) {
-    const SimdReal x = of_i.x[a], y = of_i.y[a], z = of_i.z[a];
-    const SimdReal r = of_i.radius[a] + skins_.spheres;
-    for (std::size_t b = 0; b < of_j.count; b += kSimdWidth) {
-      const SimdReal px = x - load(of_j.x, b), py = y - load(of_j.y, b), pz = z - load(of_j.z, b);
-      const SimdReal reach = r + load(of_j.radius, b);
-      for (unsigned near = less_bits(px * px + py * py + pz * pz, reach * reach); near != 0; near &= near - 1)
-        to.push(of_i.sphere[a], of_j.sphere[b + static_cast<std::size_t>(std::countr_zero(near))]);
-    }
-  }
+  find(j, i, of_j);
+  for_each_near(of_i, of_j, skins_.spheres,
+                [&](std::size_t a, std::size_t b) { to.push(of_i.sphere[a], of_j.sphere[b]); });
 }
 
 /// Candidates are sorted by body, sphere and wall. Those of bodies that have not moved stay, unless a wall
 /// has (`all`).
-void ContactList::list_walls(const Bodies& bodies, std::span<const Wall> walls, bool all, Section& section) {
+void ContactList::list_walls(const Bodies& bodies, std::span<const Wall> walls, bool all,
+                             Section& section) const {
   Section::Lists& lists = section.lists;
   const Section::Lists& old = section.old;
   lists.walls.clear();
@@ -196,19 +139,18 @@ void ContactList::list_walls(const Bodies& bodies, std::span<const Wall> walls, 
 }
 
 void ContactList::list_walls_of(const Bodies& bodies, std::size_t i, std::span<const Wall> walls,
-                                CandidateArrays& to) {
+                                CandidateArrays& to) const {
   const Vec3 position = bodies.position(i);
   bool near = false;
   for (const Wall& wall : walls)
     near |= wall.present && within_reach(wall, position, bodies.reach[i] + skins_.spheres);
   if (!near) return;
-  // Where a pair needs them too they are placed, and other sections may be reading them.
-  if (!to_place_[i]) place_all(bodies, i);
-  for (std::size_t s = first_sphere_[i]; s < first_sphere_[i + 1]; ++s)
+  for (std::size_t s = first_sphere_[i]; s < first_sphere_[i + 1]; ++s) {
+    const PlacedSphere sphere = placed_now(bodies, i, s);
     for (std::size_t w = 0; w < walls.size(); ++w)
-      if (walls[w].present &&
-          within_reach(walls[w], Vec3(placed[s].centre), placed[s].radius + skins_.spheres))
+      if (walls[w].present && within_reach(walls[w], Vec3(sphere.centre), sphere.radius + skins_.spheres))
         to.push(static_cast<std::int32_t>(s), static_cast<std::int32_t>(w));
+  }
 }
 
 }  // namespace repose

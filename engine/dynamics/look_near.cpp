@@ -28,14 +28,15 @@ void ContactList::look_near(const Bodies& bodies, std::span<const Wall> walls, b
   if (all_walls) share_out_walls(walls);
   each_section(crew, [&](const Section& section) {
     share_out(bodies, section);
-    for (const std::int32_t s : section.needed) is_needed_[static_cast<std::size_t>(s)] = 0;
+    for (const Section::Needed& needed : section.needed)
+      is_needed_[static_cast<std::size_t>(needed.sphere)] = 0;
   });
   each_section(crew, [&](Section& section) {
     look_at(bodies, all_walls, section);
     section.gather_near();
     flag_needed(section);
   });
-  each_section(crew, [&](Section& section) { collect_needed(section); });
+  find_places(bodies, crew);
 }
 
 void ContactList::share_out(const Bodies& bodies, const Section& section) {
@@ -79,14 +80,13 @@ void ContactList::look_at_pair(const Bodies& bodies, Section& section, std::size
   const Vec3 apart = bodies.position(i) - bodies.position(j);
   const auto placed_at = [&](const std::vector<std::int32_t>& spheres, std::size_t body, std::size_t first,
                              Fields4& sphere) {
-    const std::int32_t shift = local_of_shape_[static_cast<std::size_t>(bodies.shape[body])] -
+    const std::int32_t shift = local_.first_row[static_cast<std::size_t>(bodies.shape[body])] -
                                static_cast<std::int32_t>(first_sphere_[body]);
     LaneOffsets at;
     for (std::size_t lane = 0; lane < kSimdWidth; ++lane)
-      at[lane] = 4 * (spheres[std::min(first + lane, end - 1)] + shift);
-    sphere = load_fields4(local_.data()->centre, at.data());
-    const SimdReal scale = bodies.scale[body];
-    for (SimdReal& field : sphere) field *= scale;
+      at[lane] = LocalSpheres::kLine * (spheres[std::min(first + lane, end - 1)] + shift);
+    sphere = load_fields4(local_.rows.data()->centre, at.data());
+    sphere[3] *= SimdReal(bodies.scale[body]);
     if (!bodies.oriented) return;
     const double(&axis)[3][4] = bodies.axes[body].column;
     const SimdReal x = sphere[0], y = sphere[1], z = sphere[2];
@@ -109,26 +109,40 @@ void ContactList::look_at_walls(const Bodies& bodies, Section& section, std::siz
   CandidateArrays& candidates = section.lists.walls;
   const std::size_t k = i - section.first;
   for (std::size_t c = section.lists.wall_begin[k]; c < section.lists.wall_begin[k + 1]; ++c) {
-    // A copy: other sections may be reading this one's body.
-    PlacedSphere sphere = placed[static_cast<std::size_t>(candidates.a[c])];
-    place(bodies, sphere);
+    const PlacedSphere sphere = placed_now(bodies, i, static_cast<std::size_t>(candidates.a[c]));
     const Wall& wall = looked_walls_[static_cast<std::size_t>(candidates.b[c])];
     candidates.set_near(c, 1, within_reach(wall, Vec3(sphere.centre), sphere.radius + share));
   }
 }
 
-void ContactList::flag_needed(const Section& section) {
-  const auto need = [&](std::size_t sphere) { raise(is_needed_[sphere]); };
-  for (std::size_t k = 0; k < section.near_pairs.count; ++k)
-    need(section.near_pairs.first(k)), need(section.near_pairs.second(k));
-  for (std::size_t k = 0; k < section.near_walls.count; ++k) need(section.near_walls.first(k));
+/// Spheres are needed, and have a place, once all sections have said which they need.
+void ContactList::find_places(const Bodies& bodies, Crew& crew) {
+  each_section(crew, [&](Section& section) { collect_needed(bodies, section); });
+  each_section(crew, [&](Section& section) {
+    section.near_pairs.find_places(place_of_);
+    section.near_walls.find_places(place_of_);
+  });
 }
 
-void ContactList::collect_needed(Section& section) const {
+void ContactList::flag_needed(const Section& section) {
+  const auto need = [&](std::int32_t sphere) { raise(is_needed_[static_cast<std::size_t>(sphere)]); };
+  for (std::size_t k = 0; k < section.near_pairs.count; ++k)
+    need(section.near_pairs.sphere_a[k]), need(section.near_pairs.sphere_b[k]);
+  for (std::size_t k = 0; k < section.near_walls.count; ++k) need(section.near_walls.sphere_a[k]);
+}
+
+void ContactList::collect_needed(const Bodies& bodies, Section& section) {
   section.needed.clear();
   const std::size_t begin = first_sphere_[section.first], end = first_sphere_[section.last];
-  for_each_flag(std::span(is_needed_).subspan(begin, end - begin),
-                [&](std::size_t s) { section.needed.push_back(static_cast<std::int32_t>(begin + s)); });
+  std::size_t place = begin, i = section.first;
+  for_each_flag(std::span(is_needed_).subspan(begin, end - begin), [&](std::size_t k) {
+    const std::size_t sphere = begin + k;
+    while (first_sphere_[i + 1] <= sphere) ++i;
+    place_of_[sphere] = static_cast<std::int32_t>(place++);
+    section.needed.push_back({static_cast<std::int32_t>(i),
+                              static_cast<std::int32_t>(local_row(bodies, i, sphere)),
+                              static_cast<std::int32_t>(sphere)});
+  });
 }
 
 }  // namespace repose

@@ -15,8 +15,8 @@ inline void find_touching(ForceKernels::Placed placed, NearList& near, TouchingL
     unsigned mask = 0;
     for (std::size_t part = 0; part < NearList::kBlock; part += kSimdWidth) {
       const std::size_t first = block * NearList::kBlock + part;
-      const Fields4 a = load_fields4(record, near.sphere_a.data() + first),
-                    b = load_fields4(record, near.sphere_b.data() + first);
+      const Fields4 a = load_fields4(record, near.placed_a.data() + first),
+                    b = load_fields4(record, near.placed_b.data() + first);
       const SimdReal dx = a[0] - b[0], dy = a[1] - b[1], dz = a[2] - b[2], reach = a[3] + b[3];
       mask |= less_bits(dx * dx + dy * dy + dz * dz, reach * reach) << part;
     }
@@ -78,8 +78,8 @@ template <RollingModel kModel>
 REPOSE_INLINE void pair_motion(const ForceStep& step, const Bodies& bodies, ForceKernels::Placed placed,
                                const TouchingList& touching, std::size_t first, PairBlock& block) {
   const std::int32_t *body_i = touching.body_a.data() + first, *body_j = touching.body_b.data() + first;
-  const BlockSide i = load_side(bodies, placed, touching.sphere_a.data() + first, body_i);
-  const BlockSide j = load_side(bodies, placed, touching.sphere_b.data() + first, body_j);
+  const BlockSide i = load_side(bodies, placed, touching.placed_a.data() + first, body_i);
+  const BlockSide j = load_side(bodies, placed, touching.placed_b.data() + first, body_j);
   block.contact = pair_geometry<kModel>(i, j, step.dt);
   block.arm_i = i.arm - (i.radius - 0.5 * block.contact.overlap) * block.contact.n;
   block.arm_j = j.arm + (j.radius - 0.5 * block.contact.overlap) * block.contact.n;

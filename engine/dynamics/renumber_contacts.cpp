@@ -12,6 +12,7 @@ struct ContactList::Renumbering {
   std::span<const int> body;
   std::vector<std::size_t> old_first;   ///< sphere of each body, and one past the last
   std::vector<std::int32_t> new_first;  ///< of each body
+  std::vector<std::int32_t> place_of;   ///< of each sphere of before
 
   [[nodiscard]] bool stays(std::size_t of_body) const { return body[of_body] >= 0; }
   [[nodiscard]] std::int32_t moved(std::int32_t sphere, std::size_t of_body) const {
@@ -36,29 +37,41 @@ void ContactList::renumber(const Bodies& bodies, std::span<const int> new_index,
     if (section.first >= first_section * section_bodies_) section.gather_near();
     flag_needed(section);
   });
-  each_section(crew, [&](Section& section) { collect_needed(section); });
+  find_places(bodies, crew);
+  move_placed(to);
 }
 
-/// Spheres of the bodies that stay move down to their new places.
+/// Spheres of the bodies that stay are numbered anew.
 ContactList::Renumbering ContactList::move_spheres(std::span<const int> new_index) {
-  Renumbering renumbering{new_index, std::move(first_sphere_), {}};
+  Renumbering renumbering{new_index, std::move(first_sphere_), {}, std::move(place_of_)};
   const std::vector<std::size_t>& old_first = renumbering.old_first;
-  first_sphere_.clear();
-  std::size_t to = 1;
+  first_sphere_.assign(1, 1);
   for (std::size_t i = 0; i < new_index.size(); ++i) {
     const bool stays = new_index[i] >= 0;
-    renumbering.new_first.push_back(stays ? static_cast<std::int32_t>(to) : Renumbering::kDropped);
-    if (!stays) continue;
-    first_sphere_.push_back(to);
-    for (std::size_t s = old_first[i]; s < old_first[i + 1]; ++s, ++to) {
-      placed[to] = placed[s];
-      placed[to].body = new_index[i];
+    const std::size_t first = first_sphere_.back();
+    renumbering.new_first.push_back(stays ? static_cast<std::int32_t>(first) : Renumbering::kDropped);
+    if (stays) first_sphere_.push_back(first + old_first[i + 1] - old_first[i]);
+  }
+  place_of_.assign(first_sphere_.back(), 0);
+  is_needed_.assign(first_sphere_.back(), 0);
+  return renumbering;
+}
+
+/// Where spheres are is of the last step, and so what their bodies have moved to since does not give it. A
+/// sphere that is needed was needed before, and its place is not behind the one that it had: one pass.
+void ContactList::move_placed(const Renumbering& from) {
+  std::size_t old = 0;  // body of before
+  for (const Section& section : sections) {
+    for (const Section::Needed& needed : section.needed) {
+      while (from.body[old] != needed.body) ++old;
+      const auto sphere = static_cast<std::size_t>(needed.sphere);
+      const std::size_t was =
+          from.old_first[old] + sphere - first_sphere_[static_cast<std::size_t>(needed.body)];
+      placed[static_cast<std::size_t>(place_of_[sphere])] =
+          placed[static_cast<std::size_t>(from.place_of[was])];
     }
   }
-  first_sphere_.push_back(to);
-  placed.resize(to);
-  is_needed_.assign(to, 0);
-  return renumbering;
+  placed.resize(first_sphere_.back());
 }
 
 /// The order of bodies stays, and with it that of their candidates and contacts.
@@ -103,21 +116,18 @@ void ContactList::move_candidates(const Renumbering& to, const Section& from) {
 
 /// Near candidates that do not touch have nothing to keep.
 void ContactList::move_contacts(const Renumbering& to, const Section& from) {
-  const auto body_at = [](std::int32_t offset) { return static_cast<std::size_t>(offset / NearList::kLine); };
   from.old_near_pairs.for_each_touched([&](const NearList& old, std::size_t k) {
-    const std::size_t i = body_at(old.body_a[k]), j = body_at(old.body_b[k]);
+    const std::size_t i = old.first_body(k), j = old.second_body(k);
     if (!to.stays(i) || !to.stays(j)) return;
     section_of(static_cast<std::size_t>(to.body[i]))
-        .near_pairs.append(to.moved(static_cast<std::int32_t>(old.first(k)), i),
-                           to.moved(static_cast<std::int32_t>(old.second(k)), j), {to.body[i], to.body[j]},
-                           old, k);
+        .near_pairs.append(to.moved(old.sphere_a[k], i), to.moved(old.sphere_b[k], j),
+                           {to.body[i], to.body[j]}, old, k);
   });
   from.old_near_walls.for_each_touched([&](const NearList& old, std::size_t k) {
-    const std::size_t i = body_at(old.body_a[k]);
+    const std::size_t i = old.first_body(k);
     if (!to.stays(i)) return;
     section_of(static_cast<std::size_t>(to.body[i]))
-        .near_walls.append(to.moved(static_cast<std::int32_t>(old.first(k)), i), old.sphere_b[k],
-                           {to.body[i], 0}, old, k);
+        .near_walls.append(to.moved(old.sphere_a[k], i), old.sphere_b[k], {to.body[i], 0}, old, k);
   });
 }
 

@@ -38,8 +38,14 @@ struct Section {
 
   std::size_t first = 0, last = 0;  ///< bodies first … last − 1
   Lists lists;
-  NearList near_pairs, near_walls;   ///< level 3
-  std::vector<std::int32_t> needed;  ///< placed spheres of these bodies that any near candidate needs
+  NearList near_pairs, near_walls;  ///< level 3
+  /// A sphere of these bodies that some near candidate needs.
+  struct Needed {
+    std::int32_t body = 0;
+    std::int32_t local = 0;   ///< row of LocalSpheres
+    std::int32_t sphere = 0;  ///< among those of all bodies
+  };
+  std::vector<Needed> needed;  ///< in the order of their places
 
   // As they were before the change under way.
   Lists old;

@@ -20,16 +20,55 @@ using LaneOffsets = std::array<std::int32_t, kSimdWidth>;  ///< of each lane's r
 using Fields8 = std::array<SimdReal, 8>;
 using Fields4 = std::array<SimdReal, 4>;
 
-/// Copies those of eight numbers whose bit is set to the front of `to`, where eight may be written.
-REPOSE_INLINE void keep_lanes(const std::int32_t* from, unsigned bits, std::int32_t* to) {
-#ifdef __AVX512VL__
-  const __m256i all = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
-  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
-                      _mm256_maskz_compress_epi32(static_cast<__mmask8>(bits), all));
+/// Which of eight numbers are kept: those whose bit is set, at the front. Eight may be written.
+class KeptLanes {
+ public:
+#ifdef __AVX2__
+  REPOSE_INLINE explicit KeptLanes(unsigned bits) : order_(order_of(bits)) {}
+
+  REPOSE_INLINE void copy(const std::int32_t* from, std::int32_t* to) const {
+    keep(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(from)), to);
+  }
+  /// Keeps of factor × first, factor × (first + 1), …
+  REPOSE_INLINE void copy_multiples(std::int32_t factor, std::int32_t first, std::int32_t* to) const {
+    const __m256i lane = _mm256_add_epi32(order_, _mm256_set1_epi32(first));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_mullo_epi32(lane, _mm256_set1_epi32(factor)));
+  }
+
+ private:
+  /// Byte k: the k-th lane that is kept.
+  static constexpr std::array<std::uint64_t, 256> kOrders = [] {
+    std::array<std::uint64_t, 256> orders{};
+    for (unsigned bits = 0; bits < 256; ++bits) {
+      int shift = 0;
+      for (unsigned lane = 0; lane < 8; ++lane)
+        if ((bits >> lane & 1U) != 0) orders[bits] |= std::uint64_t{lane} << shift, shift += 8;
+    }
+    return orders;
+  }();
+  REPOSE_INLINE static __m256i order_of(unsigned bits) {
+    return _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(kOrders[bits])));
+  }
+  REPOSE_INLINE void keep(const __m256i& all, std::int32_t* to) const {
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(all, order_));
+  }
+
+  __m256i order_;
 #else
-  for (; bits != 0; bits &= bits - 1) *to++ = from[std::countr_zero(bits)];
+  explicit KeptLanes(unsigned bits) : bits_(bits) {}
+
+  void copy(const std::int32_t* from, std::int32_t* to) const {
+    for (unsigned left = bits_; left != 0; left &= left - 1) *to++ = from[std::countr_zero(left)];
+  }
+  void copy_multiples(std::int32_t factor, std::int32_t first, std::int32_t* to) const {
+    for (unsigned left = bits_; left != 0; left &= left - 1)
+      *to++ = factor * (first + std::countr_zero(left));
+  }
+
+ private:
+  unsigned bits_;
 #endif
-}
+};
 
 #ifdef __AVX512F__
 

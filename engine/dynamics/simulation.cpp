@@ -22,7 +22,7 @@ ContactList::Skins skins_of(const Scene& scene, double dt) {
       volume += shape.volume / static_cast<double>(particles.shapes.size());
   const double diameter = std::cbrt(6.0 * volume / kPi);
   const double fall = std::sqrt(2.0 * kGravity * scene.test.cylinder_height) * dt;
-  return {0.4 * diameter + 7.0 * fall, 0.1 * diameter + 6.0 * fall};
+  return {0.3 * diameter + 7.0 * fall, 0.1 * diameter + 3.0 * fall};
 }
 
 ForceStep laws_of(const Scene& scene, double dt) {
@@ -54,7 +54,7 @@ Simulation::Simulation(const Scene& scene, double dt, std::shared_ptr<Crew> crew
       force_step_(laws_of(scene, dt)),
       kernels_(force_kernels(scene.contact.rolling_model)),
       bodies_(scene.particles.shapes, scene.particles.material.density),
-      contacts_(skins_of(scene, dt), dt, has_rolling_spring(rolling_model_), section_bodies),
+      contacts_(bodies_.shapes, skins_of(scene, dt), dt, has_rolling_spring(rolling_model_), section_bodies),
       crew_(crew ? std::move(crew) : std::make_shared<Crew>()) {}
 
 /// Members of the crew meet between phases: contacts need the spheres of all, and a body's motion the loads
@@ -194,8 +194,7 @@ void Simulation::split_wall(int from, int plus, int minus) {
 std::vector<char> Simulation::touching_another() const {
   std::vector<char> touches(bodies_.count, 0);
   contacts_.for_each_pair([&](const NearList& near, std::size_t k) {
-    for (const std::int32_t body : {near.body_a[k], near.body_b[k]})
-      touches[static_cast<std::size_t>(body / NearList::kLine)] = 1;
+    touches[near.first_body(k)] = touches[near.second_body(k)] = 1;
   });
   return touches;
 }

@@ -36,9 +36,9 @@ inline void find_touching_walls(ForceKernels::Placed placed, NearList& near, std
     const std::size_t last = std::min(first + NearList::kBlock, near.count);
     std::size_t n = touching.count;
     for (std::size_t k = first; k < last; ++k) {
-      const PlacedSphere& sphere = placed[near.first(k)];
+      const PlacedSphere& sphere = near.first(placed, k);
       WallDistance wall;
-      if (!may_touch(walls[near.second(k)], sphere, wall)) continue;
+      if (!may_touch(walls[near.wall(k)], sphere, wall)) continue;
       const double overlap = sphere.radius - wall.distance;
       if (!(overlap > 0.0)) continue;
       mask |= 1U << (k - first);
@@ -61,9 +61,9 @@ REPOSE_INLINE void wall_block(const ForceStep& step, Bodies& bodies, ForceKernel
   std::array<const Wall*, kSimdWidth> wall;
   const std::size_t lanes = std::min(kSimdWidth, touching.count - first);
   for (std::size_t lane = 0; lane < kSimdWidth; ++lane)
-    wall[lane] = &walls[static_cast<std::size_t>(touching.sphere_b[first + lane])];
+    wall[lane] = &walls[static_cast<std::size_t>(touching.placed_b[first + lane])];
   const std::int32_t *body = touching.body_a.data() + first, *at_history = touching.history.data() + first;
-  const BlockSide i = load_side(bodies, placed, touching.sphere_a.data() + first, body);
+  const BlockSide i = load_side(bodies, placed, touching.placed_a.data() + first, body);
   ContactGeometry<SimdReal> contact;
   contact.n = {load(touching.nx, first), load(touching.ny, first), load(touching.nz, first)};
   contact.overlap = load(touching.overlap, first);

@@ -45,41 +45,45 @@ template <class Visit>
 void for_each_contact(const Simulation& simulation, Visit visit) {
   const Bodies& bodies = simulation.bodies();
   const ContactList& list = simulation.contacts();
+  // Spheres are where they were before the last motion.
+  const auto arm = [&](const PlacedSphere& sphere, std::size_t body) -> Vec3 {
+    return Vec3(sphere.centre) - (bodies.position(body) - simulation.dt() * bodies.velocity(body));
+  };
   SeenContact contact;
   contact.law = &simulation.laws().pair_law;
   list.for_each_pair([&](const NearList& near, std::size_t k) {
-    const PlacedSphere& a = list.placed[near.first(k)];
-    const PlacedSphere& b = list.placed[near.second(k)];
+    const PlacedSphere& a = near.first(list.placed, k);
+    const PlacedSphere& b = near.second(list.placed, k);
     const Vec3 apart = Vec3(a.centre) - Vec3(b.centre);
     const double distance = apart.norm();
     contact.overlap = a.radius + b.radius - distance;
     if (!(contact.overlap > 0.0 && distance > 0.0)) return;
     contact.n = apart / distance;
-    const auto i = static_cast<std::size_t>(a.body), j = static_cast<std::size_t>(b.body);
+    const std::size_t i = near.first_body(k), j = near.second_body(k);
     const double m_i = bodies.motion[i].mass, m_j = bodies.motion[j].mass;
     contact.R_eff = a.radius * b.radius / (a.radius + b.radius);
     contact.m_eff = m_i * m_j / (m_i + m_j);
     contact.smaller_radius = std::min(a.radius, b.radius);
     contact.diameter = 0.5 * (diameter_of(bodies, i) + diameter_of(bodies, j));
     contact.body[0] = i, contact.body[1] = j;
-    contact.arm[0] = Vec3(a.arm) - (a.radius - 0.5 * contact.overlap) * contact.n;
-    contact.arm[1] = Vec3(b.arm) + (b.radius - 0.5 * contact.overlap) * contact.n;
+    contact.arm[0] = arm(a, i) - (a.radius - 0.5 * contact.overlap) * contact.n;
+    contact.arm[1] = arm(b, j) + (b.radius - 0.5 * contact.overlap) * contact.n;
     visit(contact);
   });
   contact.law = &simulation.laws().wall_law;
   contact.sides = 1;
   list.for_each_at_wall([&](const NearList& near, std::size_t k) {
-    const PlacedSphere& a = list.placed[near.first(k)];
-    const WallDistance wall = distance_to(simulation.walls[near.second(k)], Vec3(a.centre));
+    const PlacedSphere& a = near.first(list.placed, k);
+    const WallDistance wall = distance_to(simulation.walls[near.wall(k)], Vec3(a.centre));
     contact.overlap = a.radius - wall.distance;
     if (!(contact.overlap > 0.0)) return;
-    const auto i = static_cast<std::size_t>(a.body);
+    const std::size_t i = near.first_body(k);
     contact.n = wall.normal;
     contact.R_eff = contact.smaller_radius = a.radius;
     contact.m_eff = bodies.motion[i].mass;
     contact.diameter = diameter_of(bodies, i);
     contact.body[0] = i;
-    contact.arm[0] = Vec3(a.arm) - (a.radius - 0.5 * contact.overlap) * contact.n;
+    contact.arm[0] = arm(a, i) - (a.radius - 0.5 * contact.overlap) * contact.n;
     visit(contact);
   });
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "engine/dynamics/cell_grid.hpp"
+#include "engine/dynamics/place_sphere.hpp"
+#include "engine/dynamics/reaching.hpp"
 
 namespace repose {
 
@@ -27,7 +29,7 @@ struct Touch {
 class Pushing {
  public:
   Pushing(const Particles& particles, std::span<const ParticleDraw> draws, double cylinder_radius)
-      : particles_(particles), radius_(cylinder_radius), bodies_(draws.size()), placed_(draws.size()) {
+      : local_(particles.shapes), radius_(cylinder_radius), bodies_(draws.size()), axes_(draws.size()) {
     double diameters = 0.0;
     for (std::size_t i = 0; i < draws.size(); ++i) {
       const Clump& shape = particles.shapes[static_cast<std::size_t>(draws[i].shape)];
@@ -101,8 +103,8 @@ class Pushing {
 
   [[nodiscard]] double top() const {
     double top = 0.0;
-    for (const std::vector<Sphere>& spheres : placed_)
-      for (const Sphere& sphere : spheres) top = std::max(top, sphere.centre.z() + sphere.radius);
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+      for_each_sphere(i, [&](const Vec3& centre, double r) { top = std::max(top, centre.z() + r); });
     return top;
   }
   [[nodiscard]] std::vector<NewBody>& bodies() { return bodies_; }
@@ -112,11 +114,18 @@ class Pushing {
 
   void place(std::size_t i) {
     const NewBody& body = bodies_[i];
-    const Mat3 turn = body.scale * body.orientation.toRotationMatrix();
-    const std::vector<Sphere>& local = particles_.shapes[static_cast<std::size_t>(body.shape)].spheres;
-    placed_[i].resize(local.size());
-    for (std::size_t s = 0; s < local.size(); ++s)
-      placed_[i][s] = {body.position + turn * local[s].centre, body.scale * local[s].radius};
+    axes_[i] = axes_of(body.position, body.orientation.toRotationMatrix(), body.scale);
+  }
+
+  /// visit(centre, radius) for every sphere of a body.
+  template <class Visit>
+  void for_each_sphere(std::size_t i, Visit visit) const {
+    const auto shape = static_cast<std::size_t>(bodies_[i].shape);
+    for (std::int32_t row = local_.first_row[shape]; row < local_.first_row[shape + 1]; ++row) {
+      PlacedSphere sphere;
+      place_sphere(axes_[i], local_.rows[static_cast<std::size_t>(row)], sphere);
+      visit(Vec3(sphere.centre), sphere.radius);
+    }
   }
 
   /// (1 + |arm × n|²/ρ²)/m: how far the place at `arm` gives way along n under a unit push.
@@ -137,76 +146,71 @@ class Pushing {
     place(i);
   }
 
-  /// Spheres of body i that come near body j.
-  void near_spheres(std::size_t i, std::size_t j, std::vector<const Sphere*>& list) const {
-    list.clear();
-    for (const Sphere& sphere : placed_[i]) {
-      const double reach = sphere.radius + reach_[j] + gap();
-      if ((sphere.centre - bodies_[j].position).squaredNorm() < reach * reach) list.push_back(&sphere);
-    }
-  }
-
   [[nodiscard]] Touch touch_of(std::size_t i, std::size_t j) {
     Touch touch;
-    const double apart = reach_[i] + reach_[j] + gap();
-    if ((bodies_[i].position - bodies_[j].position).squaredNorm() >= apart * apart) return touch;
-    near_spheres(i, j, near_i_);
-    if (near_i_.empty()) return touch;
-    near_spheres(j, i, near_j_);
-    for (const Sphere* a : near_i_) {
-      for (const Sphere* b : near_j_) {
-        const Vec3 between = a->centre - b->centre;
-        const double reach = a->radius + b->radius + gap();
-        const double squared = between.squaredNorm();
-        if (squared >= reach * reach) continue;
-        const double distance = std::sqrt(squared);
-        if (reach - distance <= touch.depth) continue;
-        touch.depth = reach - distance;
-        touch.n = distance > 0.0 ? Vec3(between / distance) : Vec3::UnitZ();
-        touch.arm = a->centre - a->radius * touch.n - bodies_[i].position;
-        touch.other_arm = b->centre + b->radius * touch.n - bodies_[j].position;
-      }
-    }
+    const Vec3 origin = bodies_[i].position, apart = bodies_[j].position - origin;
+    const double bounds = reach_[i] + reach_[j] + gap();
+    if (apart.squaredNorm() >= bounds * bounds) return touch;
+    const auto find = [&](std::size_t of, std::size_t into, Reaching& found) {
+      found.find(local_, {bodies_[of].shape, axes_[of], bodies_[of].position}, bodies_[into].position,
+                 reach_[into] + gap(), origin);
+    };
+    find(i, j, near_i_);
+    if (near_i_.count == 0) return touch;
+    find(j, i, near_j_);
+    const auto centre = [](const Reaching& of, std::size_t k) { return Vec3(of.x[k], of.y[k], of.z[k]); };
+    for_each_near(near_i_, near_j_, gap(), [&](std::size_t a, std::size_t b) {
+      const Vec3 between = centre(near_i_, a) - centre(near_j_, b);
+      const double distance = between.norm();
+      const double depth = near_i_.radius[a] + near_j_.radius[b] + gap() - distance;
+      if (depth <= touch.depth) return;
+      touch.depth = depth;
+      touch.n = distance > 0.0 ? Vec3(between / distance) : Vec3::UnitZ();
+      touch.arm = centre(near_i_, a) - near_i_.radius[a] * touch.n;
+      touch.other_arm = centre(near_j_, b) - apart + near_j_.radius[b] * touch.n;
+    });
     return touch;
   }
 
   [[nodiscard]] Touch touch_of_floor(std::size_t i) const {
     Touch touch;
-    if (bodies_[i].position.z() >= reach_[i] + gap()) return touch;
-    for (const Sphere& sphere : placed_[i]) {
-      const double depth = sphere.radius + gap() - sphere.centre.z();
-      if (depth <= touch.depth) continue;
+    const Vec3& position = bodies_[i].position;
+    if (position.z() >= reach_[i] + gap()) return touch;
+    for_each_sphere(i, [&](const Vec3& centre, double r) {
+      const double depth = r + gap() - centre.z();
+      if (depth <= touch.depth) return;
       touch.depth = depth;
-      touch.arm = sphere.centre - sphere.radius * touch.n - bodies_[i].position;
-    }
+      touch.arm = centre - r * touch.n - position;
+    });
     return touch;
   }
 
   [[nodiscard]] Touch touch_of_side(std::size_t i) const {
     Touch touch;
     const Vec3& position = bodies_[i].position;
-    if (std::hypot(position.x(), position.y()) <= radius_ - reach_[i] - gap()) return touch;
-    for (const Sphere& sphere : placed_[i]) {
-      const double rho = std::hypot(sphere.centre.x(), sphere.centre.y());
-      const double depth = rho + sphere.radius + gap() - radius_;
-      if (depth <= touch.depth || !(rho > 0.0)) continue;
+    const double inside = radius_ - reach_[i] - gap();
+    if (inside >= 0.0 && position.head<2>().squaredNorm() <= inside * inside) return touch;
+    for_each_sphere(i, [&](const Vec3& centre, double r) {
+      const double rho = centre.head<2>().norm();
+      const double depth = rho + r + gap() - radius_;
+      if (depth <= touch.depth || !(rho > 0.0)) return;
       touch.depth = depth;
-      touch.n = {-sphere.centre.x() / rho, -sphere.centre.y() / rho, 0.0};
-      touch.arm = sphere.centre - sphere.radius * touch.n - position;
-    }
+      touch.n = {-centre.x() / rho, -centre.y() / rho, 0.0};
+      touch.arm = centre - r * touch.n - position;
+    });
     return touch;
   }
 
-  const Particles& particles_;
+  LocalSpheres local_;
   double radius_;
   std::vector<NewBody> bodies_;
-  std::vector<std::vector<Sphere>> placed_;
+  std::vector<BodyAxes> axes_;
   std::vector<double> reach_;
   std::vector<double> gyration_;  ///< ρ² [m²]
   std::vector<double> mass_;
   double volume_ = 0.0;    ///< of all particles [m³]
   double diameter_ = 0.0;  ///< mean [m]
-  std::vector<const Sphere*> near_i_, near_j_;
+  Reaching near_i_, near_j_;
 };
 
 }  // namespace

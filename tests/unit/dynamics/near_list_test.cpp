@@ -10,14 +10,14 @@
 namespace repose::test {
 namespace {
 
-using Spheres = std::pair<std::size_t, std::size_t>;
+using Spheres = std::pair<std::int32_t, std::int32_t>;
 using Memory = std::map<Spheres, double>;  ///< of the contacts that touch
 
 Memory memory_of(const NearList& list) {
   Memory memory;
   list.for_each_touched([&](const NearList&, std::size_t k) {
     const double value = list.spring[k].value[0];
-    memory[{list.first(k), list.second(k)}] = value;
+    memory[{list.sphere_a[k], list.sphere_b[k]}] = value;
     if (list.rolls) {
       EXPECT_EQ(list.rolling[k].torque[1], -value);
     }
@@ -76,8 +76,8 @@ TEST(NearList, ContactsThatStayNearRememberAndNoOthers) {
       after.gather_into(list, old);
       EXPECT_EQ(memory_of(list), expected);
       for (std::size_t k = 0; k < list.count; ++k) {
-        EXPECT_EQ(list.body_a[k], NearList::kLine * static_cast<int>((list.first(k) - 1) / 2));
-        EXPECT_EQ(list.body_b[k], NearList::kLine * static_cast<int>((list.second(k) - 1) / 2));
+        EXPECT_EQ(list.body_a[k], NearList::kLine * ((list.sphere_a[k] - 1) / 2));
+        EXPECT_EQ(list.body_b[k], NearList::kLine * ((list.sphere_b[k] - 1) / 2));
       }
     }
 }
@@ -91,9 +91,8 @@ TEST(NearList, AppendedContactsAreRememberedByTheNextGathering) {
       candidates.gather_into(old, list);
       touch_some(random, old);
       old.for_each_touched([&](const NearList& from, std::size_t k) {
-        const BodyPair bodies{from.body_a[k] / NearList::kLine, from.body_b[k] / NearList::kLine};
-        kept.append(static_cast<std::int32_t>(from.first(k)), static_cast<std::int32_t>(from.second(k)),
-                    bodies, from, k);
+        const BodyPair bodies{static_cast<int>(from.first_body(k)), static_cast<int>(from.second_body(k))};
+        kept.append(from.sphere_a[k], from.sphere_b[k], bodies, from, k);
       });
       EXPECT_EQ(memory_of(kept), memory_of(old));
       candidates.gather_into(list, kept);

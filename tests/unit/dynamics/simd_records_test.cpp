@@ -95,6 +95,23 @@ TEST(SimdRecords, AddsLaneAfterLaneWhereLanesShareARecord) {
   }
 }
 
+TEST(SimdRecords, KeepsTheLanesWhoseBitIsSetInOrder) {
+  const std::array<std::int32_t, 8> from{11, -7, 5, 0, 3, 1 << 30, -1, 8};
+  for (unsigned bits = 0; bits < 256; ++bits) {
+    const KeptLanes kept(bits);
+    std::array<std::int32_t, 8> lanes{}, multiples{};
+    kept.copy(from.data(), lanes.data());
+    kept.copy_multiples(4, 1000, multiples.data());
+    std::size_t k = 0;
+    for (std::size_t lane = 0; lane < 8; ++lane) {
+      if ((bits >> lane & 1U) == 0) continue;
+      EXPECT_EQ(lanes[k], from[lane]) << bits;
+      EXPECT_EQ(multiples[k], 4 * (1000 + static_cast<std::int32_t>(lane))) << bits;
+      ++k;
+    }
+  }
+}
+
 TEST(SimdRecords, ComparesLaneByLaneAndNoNumberIsLess) {
   RandomStream random(4, 0);
   for (int trial = 0; trial < 200; ++trial) {
