@@ -40,7 +40,10 @@ class Rungs {
            {"/numerics/rest_energy_ratio", factor * scene_.numerics.rest_energy_ratio}});
     if (!scene_.numerics.rest_angle_change)
       add("still angle 0.25°", {{"/numerics/rest_angle_change_deg", 0.25}});
-    add("opening × 3", {{"/test/opening_speed_m_s", 3.0 * scene_.test.opening_speed}});
+    if (scene_.test.opening == Opening::moved) {
+      add("opening × 3", {{"/test/opening_speed_m_s", 3.0 * scene_.test.opening_speed}});
+      add("instant opening", {{"/test/opening", "instant"}});
+    }
     add_sizes();
     add_shapes();
   }

@@ -117,6 +117,7 @@ void warn_of_sizes(const Scene& scene, std::vector<Warning>& warnings) {
 }
 
 void warn_of_opening(const Scene& scene, std::vector<Warning>& warnings) {
+  if (scene.test.opening == Opening::instant) return;
   constexpr double kShare = 0.1;
   const double step = time_step(scene) * scene.test.opening_speed;
   const double radius = smallest_sphere(scene.particles);
@@ -141,6 +142,7 @@ double height_of(const HeapSnapshot& column) {
 /// the article's 0.5 m/s, above which its angle varies little, is 0.37). Beyond 5 the walls tear particles
 /// along: README.md has the figures.
 void warn_of_speed(const Scene& scene, double height, std::vector<Warning>& warnings) {
+  if (scene.test.opening == Opening::instant) return;
   constexpr double kSlow = 0.4, kFast = 5.0;
   const double fall = std::sqrt(kGravity * height);
   const double speed = scene.test.opening_speed;

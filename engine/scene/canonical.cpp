@@ -66,18 +66,14 @@ Json json_of(const ContactModel& contact) {
 }
 
 Json json_of(const SlumpTest& test) {
-  const auto& [kind, filling, base_radius, base_height, cylinder_radius, cylinder_height, pour_rate,
+  const auto& [kind, filling, opening, base_radius, base_height, cylinder_radius, cylinder_height, pour_rate,
                pour_speed, opening_speed] = test;
   const Json radius = std::isfinite(base_radius) ? Json(base_radius) : Json("unbounded");
-  return {{"kind", choice_name(kind)},
-          {"filling", choice_name(filling)},
-          {"base_radius", radius},
-          {"base_height", base_height},
-          {"cylinder_radius", cylinder_radius},
-          {"cylinder_height", cylinder_height},
-          {"pour_rate", pour_rate},
-          {"pour_speed", pour_speed},
-          {"opening_speed", opening_speed}};
+  return {{"kind", choice_name(kind)},          {"filling", choice_name(filling)},
+          {"opening", choice_name(opening)},    {"base_radius", radius},
+          {"base_height", base_height},         {"cylinder_radius", cylinder_radius},
+          {"cylinder_height", cylinder_height}, {"pour_rate", pour_rate},
+          {"pour_speed", pour_speed},           {"opening_speed", opening_speed}};
 }
 
 Json json_of(const Numerics& numerics) {

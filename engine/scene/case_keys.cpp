@@ -106,6 +106,7 @@ std::vector<CaseKey> make_keys() {
       choice("/test/filling", choice_names<Filling>()),
       number("/test/pour_rate_kg_s", kPositive),
       number("/test/pour_speed_m_s", kNotNegative),
+      choice("/test/opening", choice_names<Opening>()),
       number("/test/opening_speed_m_s", kPositive),
 
       object("/numerics"),

@@ -53,6 +53,10 @@ template <>
 inline constexpr std::array<Named<Filling>, 3> kNames<Filling>{
     {{Filling::pour, "pour"}, {Filling::rain, "rain"}, {Filling::packing, "packing"}}};
 
+template <>
+inline constexpr std::array<Named<Opening>, 2> kNames<Opening>{
+    {{Opening::moved, "moved"}, {Opening::instant, "instant"}}};
+
 /// "type_a" for RollingModel::type_a, and so on.
 template <class Choice>
 constexpr std::string_view choice_name(Choice choice) {

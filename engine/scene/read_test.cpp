@@ -58,6 +58,7 @@ SlumpTest read_test(CheckedCase& checked) {
   test.cylinder_height = from_mm(checked.number_or("/test/cylinder/height_mm", 0.0));
   test.pour_rate = checked.number_or("/test/pour_rate_kg_s", test.pour_rate);
   test.pour_speed = checked.number_or("/test/pour_speed_m_s", test.pour_speed);
+  test.opening = checked.choice_or("/test/opening", test.opening);
   test.opening_speed = checked.number_or("/test/opening_speed_m_s", test.opening_speed);
   return test;
 }

@@ -58,16 +58,23 @@ enum class Filling {
   packing  ///< all at once, packed at random, at rest
 };
 
+/// How the cylinder goes once its column is at rest.
+enum class Opening {
+  moved,   ///< its halves part, or it is lifted, at the opening speed
+  instant  ///< it is gone from one step to the next
+};
+
 struct SlumpTest {
   TestKind kind = TestKind::split_cylinder;
   Filling filling = Filling::pour;
+  Opening opening = Opening::moved;
   double base_radius = std::numeric_limits<double>::infinity();  ///< [m]; infinite: an unbounded plane
   double base_height = 0.05;                                     ///< [m], above the ground
   double cylinder_radius = 0.0;                                  ///< inner [m]
   double cylinder_height = 0.0;                                  ///< [m]
   double pour_rate = 5.0;                                        ///< [kg/s]
   double pour_speed = 1.0;     ///< downward speed of a particle that is poured or rains [m/s]
-  double opening_speed = 1.0;  ///< of each half, or of the lifted cylinder [m/s]
+  double opening_speed = 1.0;  ///< of each half, or of the lifted cylinder, where it is moved [m/s]
 };
 
 struct Numerics {

@@ -65,6 +65,7 @@ class SlumpTestRun {
   bool open_stage();
   bool rest_stage();
   void open_walls();
+  bool move_walls_away();
   [[nodiscard]] double opening_travel() const;  ///< of the walls until they are out of the way [m]
   [[nodiscard]] bool walls_out_of_the_way() const;
 

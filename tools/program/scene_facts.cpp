@@ -55,7 +55,8 @@ std::vector<Fact> test_facts(const SlumpTest& test) {
                                    1e3 * test.cylinder_height)},
           {"filling", test.filling == Filling::pour ? fmt::format("poured at {:.4g} kg/s", test.pour_rate)
                                                     : std::string(choice_name(test.filling))},
-          {"opened at", fmt::format("{:.4g} m/s", test.opening_speed)}};
+          {"opened",
+           test.opening == Opening::instant ? "at once" : fmt::format("at {:.4g} m/s", test.opening_speed)}};
 }
 
 std::vector<Fact> numerics_facts(const Numerics& numerics) {

@@ -298,6 +298,10 @@ const BadCase kBadCases[] = {
      R"({"test": {"filling": "pakcing"}})",
      {"case.json: /test/filling = \"pakcing\": must be one of \"pour\", \"rain\", \"packing\"; did you mean "
       "\"packing\"?"}},
+    {"OpeningUnknown",
+     R"({"test": {"opening": "instantly"}})",
+     {"case.json: /test/opening = \"instantly\": must be one of \"moved\", \"instant\"; did you mean "
+      "\"instant\"?"}},
     {"CoarseGrainingBelowOne",
      R"({"particles": {"coarse_graining": 0.5}})",
      {"case.json: /particles/coarse_graining = 0.5: must be >= 1"}},
@@ -321,8 +325,7 @@ const BadCase kBadCases[] = {
     {"KeyOfAnotherSection",
      R"({"test": {"restitution": 0.5}})",
      {"case.json: /test/restitution = 0.5: is not known; /test takes kind, base, cylinder, filling, "
-      "pour_rate_kg_s, "
-      "pour_speed_m_s, opening_speed_m_s"}},
+      "pour_rate_kg_s, pour_speed_m_s, opening, opening_speed_m_s"}},
 
     // Numerics and measurement
     {"TimeStepZero",

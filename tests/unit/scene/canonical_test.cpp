@@ -58,6 +58,7 @@ const std::vector<std::pair<const char*, Change>> kChanges = {
     {"integrator", [](Scene& s) { s.numerics.integrator = Integrator::symplectic_euler; }},
     {"kind", [](Scene& s) { s.test.kind = TestKind::split_cylinder; }},
     {"filling", [](Scene& s) { s.test.filling = Filling::packing; }},
+    {"opening", [](Scene& s) { s.test.opening = Opening::moved; }},
     {"base radius", [](Scene& s) { s.test.base_radius += 1e-9; }},
     {"base unbounded", [](Scene& s) { s.test.base_radius = HUGE_VAL; }},
     {"base height", [](Scene& s) { s.test.base_height += 1e-9; }},

@@ -38,7 +38,8 @@ inline Json good_case() {
       "kind": "lifted_cylinder",
       "base": { "diameter_mm": 195, "height_mm": 40 },
       "cylinder": { "diameter_mm": 100, "height_mm": 300 },
-      "filling": "rain", "pour_rate_kg_s": 4.0, "pour_speed_m_s": 1.5, "opening_speed_m_s": 0.5
+      "filling": "rain", "pour_rate_kg_s": 4.0, "pour_speed_m_s": 1.5, "opening": "instant",
+      "opening_speed_m_s": 0.5
     },
     "numerics": {
       "time_step_fraction": 0.2, "stiffness_scale": 0.5, "integrator": "velocity_verlet", "settle_energy_ratio": 2e-4,

@@ -44,6 +44,7 @@ TEST(SceneReader, ReadsEveryValueInSiUnits) {
   EXPECT_EQ(scene.test.filling, Filling::rain);
   EXPECT_EQ(scene.test.pour_rate, 4.0);
   EXPECT_EQ(scene.test.pour_speed, 1.5);
+  EXPECT_EQ(scene.test.opening, Opening::instant);
   EXPECT_EQ(scene.test.opening_speed, 0.5);
   EXPECT_EQ(scene.numerics.time_step_fraction, 0.2);
   EXPECT_FALSE(scene.numerics.time_step.has_value());
@@ -62,7 +63,7 @@ TEST(SceneReader, LeavesTheDefaultsOfTheSceneWhereACaseIsSilent) {
     "contact": {"rolling_model": null, "tangential_history": null, "normal_damping": null,
                 "rolling_damping_ratio": null, "rolling_torque": null},
     "test": {"base": {"height_mm": null}, "filling": null, "pour_rate_kg_s": null, "pour_speed_m_s": null,
-             "opening_speed_m_s": null}})");
+             "opening": null, "opening_speed_m_s": null}})");
   EXPECT_EQ(scene.title, "");
   EXPECT_EQ(scene.contact.rolling_model, RollingModel::type_a);
   EXPECT_EQ(scene.contact.tangential_history, TangentialHistory::force);
@@ -74,6 +75,7 @@ TEST(SceneReader, LeavesTheDefaultsOfTheSceneWhereACaseIsSilent) {
   EXPECT_EQ(scene.test.filling, Filling::pour);
   EXPECT_EQ(scene.test.pour_rate, 5.0);
   EXPECT_EQ(scene.test.pour_speed, 1.0);
+  EXPECT_EQ(scene.test.opening, Opening::moved);
   EXPECT_EQ(scene.test.opening_speed, 1.0);
   EXPECT_EQ(scene.numerics.time_step_fraction, 0.3);
   EXPECT_EQ(scene.numerics.stiffness_scale, 1.0);

@@ -124,6 +124,23 @@ TEST(SlumpTestRun, DropsWhatLeavesTheBase) {
   EXPECT_EQ(ids.size(), bodies.count);
 }
 
+/// A cylinder that is gone at once touches nothing any more: it makes no difference how its parts would have
+/// moved, and they do no work.
+TEST(SlumpTestRun, AnInstantOpeningLeavesTheColumnToItself) {
+  Scene scene = tiny_scene();
+  scene.test.opening = Opening::instant;
+  TinyRun split(scene);
+  scene.test.kind = TestKind::lifted_cylinder;
+  scene.test.opening_speed = 1e-6;  // would take longer than a test may
+  TinyRun lifted(scene);
+  ASSERT_EQ(split->outcome(), Outcome::completed) << split->reason();
+  ASSERT_EQ(lifted->outcome(), Outcome::completed) << lifted->reason();
+  EXPECT_TRUE(
+      same_bits(numbers_of(split->simulation().snapshot()), numbers_of(lifted->simulation().snapshot())));
+  EXPECT_EQ(split->simulation().ledger().wall_work, 0.0);
+  EXPECT_LT(split->simulation().bodies().count, split->column().bodies.size());
+}
+
 TEST(SlumpTestRun, EndsOverfullWhereTheCylinderIsTooSmall) {
   Scene scene = tiny_scene();
   scene.particles.total_mass = 1.0;

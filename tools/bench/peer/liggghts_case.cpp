@@ -72,6 +72,8 @@ Faults faults_of(const Scene& scene) {
     faults.add("", "/contact/tangential_history", "", "must be \"displacement\" to compare with LIGGGHTS");
   if (contact.normal_damping != NormalDamping::with_tail)
     faults.add("", "/contact/normal_damping", "", "must be \"with_tail\" to compare with LIGGGHTS");
+  if (scene.test.opening == Opening::instant)
+    faults.add("", "/test/opening", "", "must be \"moved\" to compare with LIGGGHTS");
   return faults;
 }
 
