@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/record_vector.hpp"
 #include "engine/base/vec3.hpp"
 #include "engine/shape/clump.hpp"
 
@@ -85,10 +86,10 @@ struct Bodies {
   /// of its spheres has come since any earlier value.
   std::vector<double> travel;
   std::vector<double> pace;  ///< by how much travel grew at the last step [m]
-  std::vector<BodyMotion> motion;
-  std::vector<BodyLoad> load;
-  std::vector<BodyLead> lead;
-  std::vector<BodyAxes> axes;
+  RecordVector<BodyMotion> motion;
+  RecordVector<BodyLoad> load;
+  RecordVector<BodyLead> lead;
+  RecordVector<BodyAxes> axes;
   std::vector<double> scale;
   std::vector<int> shape;
   std::vector<int> id;  ///< in the order of adding, stays with the body

@@ -66,7 +66,7 @@ class ContactList {
   /// The spheres that near candidates need, behind the dummy at 0 that touches nothing. Those of a section
   /// lie side by side, in the order of Section::needed; there is room for all its spheres, of which only what
   /// is used is ever touched. As of the last step.
-  std::vector<PlacedSphere> placed{1};
+  RecordVector<PlacedSphere> placed{1};
   std::vector<Section> sections;  ///< by their bodies; only the last is not full
 
   /// visit(list, k) for every pair that touched at the last step, ascending.

@@ -46,7 +46,7 @@ ContactSurvey survey_contacts(const ForceStep& step, RollingModel model, const B
                               const ContactList& contacts, std::span<const Wall> walls) {
   ContactSurvey survey;
   if (bodies.count == 0) return survey;
-  const std::vector<PlacedSphere>& placed = contacts.placed;
+  const std::span<const PlacedSphere> placed = contacts.placed;
   contacts.for_each_pair([&](const NearList& near, std::size_t k) {
     add_contact(step.pair_law, model, touch_of(near.first(placed, k), near.second(placed, k)), near.spring[k],
                 rolling_of(near, k), survey);

@@ -8,13 +8,14 @@ namespace {
 
 using T = SimdReal;
 
-/// Offsets of kSimdWidth neighbouring records of `doubles` each.
-LaneOffsets neighbours(std::size_t first, std::size_t doubles) {
-  LaneOffsets offset;
+/// Offsets of kSimdWidth neighbouring records of `doubles` each, from the first of them on.
+constexpr LaneOffsets neighbours(std::size_t doubles) {
+  LaneOffsets offset{};
   for (std::size_t lane = 0; lane < kSimdWidth; ++lane)
-    offset[lane] = static_cast<std::int32_t>((first + lane) * doubles);
+    offset[lane] = static_cast<std::int32_t>(lane * doubles);
   return offset;
 }
+constexpr LaneOffsets kLines = neighbours(8), kAxes = neighbours(sizeof(BodyAxes) / sizeof(double));
 
 struct Rotor {
   T w, x, y, z;  ///< quaternion, not normalised
@@ -179,15 +180,16 @@ REPOSE_INLINE Triple<T> rotate(Bodies& bodies, std::size_t first, const Twist& t
   store(q.w, bodies.qw, first), store(q.x, bodies.qx, first), store(q.y, bodies.qy, first),
       store(q.z, bodies.qz, first);
 
-  const LaneOffsets at = neighbours(first, sizeof(BodyAxes) / sizeof(double));
-  double* column = bodies.axes.data()->column[0];
+  BodyAxes& first_axes = bodies.axes[first];
+  double* column = first_axes.column[0];
   const T scale = load(bodies.scale, first);
   for (const Triple<T>* axis : {&axes.c1, &axes.c2, &axes.c3}) {
-    store_fields4({scale * axis->x, scale * axis->y, scale * axis->z, T(0.0)}, column, at.data(), kSimdWidth);
+    store_fields4({scale * axis->x, scale * axis->y, scale * axis->z, T(0.0)}, column, kAxes.data(),
+                  kSimdWidth);
     column += 4;
   }
   store_fields4({load(bodies.x, first), load(bodies.y, first), load(bodies.z, first), scale},
-                bodies.axes.data()->position, at.data(), kSimdWidth);
+                first_axes.position, kAxes.data(), kSimdWidth);
   return to_world(axes, {inverse.x * l.x, inverse.y * l.y, inverse.z * l.z});
 }
 
@@ -220,7 +222,7 @@ void store_lead(Bodies& bodies, std::size_t first, const Triple<T>& dv, const Tr
   }
   const T half = 0.5, none = 0.0;
   store_fields8({half * dv.x, half * dv.y, half * dv.z, none, half * dw.x, half * dw.y, half * dw.z, none},
-                bodies.lead.data()->velocity, neighbours(first, 8).data());
+                bodies.lead[first].velocity, kLines.data());
 }
 
 /// 1/I_min
@@ -232,13 +234,11 @@ REPOSE_INLINE T softest_axis(const Bodies& bodies, std::size_t first) {
 template <Integrator kIntegrator>
 double integrate_range(Bodies& bodies, const MotionStep& step, std::size_t begin, std::size_t end) {
   const double dt = step.dt;
-  double* motions = bodies.motion.data()->velocity;
-  double* loads = bodies.load.data()->force;
   T taken_energy = 0.0;
   for (std::size_t first = begin; first < end; first += kSimdWidth) {
-    const LaneOffsets at = neighbours(first, 8);
-    Fields8 motion = load_fields8(motions, at.data());
-    const Fields8 sum = load_fields8(loads, at.data());
+    double* record = bodies.motion[first].velocity;
+    Fields8 motion = load_fields8(record, kLines.data());
+    const Fields8 sum = load_fields8(bodies.load[first].force, kLines.data());
     const T kick = dt / motion[3];
     const Triple<T> dv{kick * sum[0], kick * sum[1], kick * sum[2] - dt * kGravity};
     const T moved = translate<kIntegrator>(bodies, first, dv, dt, motion);
@@ -253,7 +253,7 @@ double integrate_range(Bodies& bodies, const MotionStep& step, std::size_t begin
     motion[4] = w.x, motion[5] = w.y, motion[6] = w.z;
     if (step.rolling == RollingModel::type_a_relative)
       motion[7] = larger(sum[7], T(1.0)) * softest_axis(bodies, first);
-    store_fields8(motion, motions, at.data());
+    store_fields8(motion, record, kLines.data());
     if constexpr (kIntegrator == Integrator::velocity_verlet)
       store_lead(bodies, first, dv, T(dt) * twist.torque);
   }

@@ -72,7 +72,7 @@ void fill(Simulation& simulation, const Scene& scene, std::size_t count) {
 /// Seconds of the pair kernel over all contacts, on a copy of what it reads and writes.
 double kernel_seconds(const Simulation& simulation, RollingModel model) {
   Bodies bodies = simulation.bodies();
-  const std::vector<PlacedSphere> placed = simulation.contacts().placed;
+  const RecordVector<PlacedSphere> placed = simulation.contacts().placed;
   std::vector<NearList> near;
   for (const Section& section : simulation.contacts().sections) near.push_back(section.near_pairs);
   const ForceKernels kernels = force_kernels(model);
