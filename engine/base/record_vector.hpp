@@ -3,7 +3,6 @@
 #include <sys/mman.h>
 
 #include <cstddef>
-#include <cstdlib>
 #include <new>
 #include <vector>
 
@@ -39,7 +38,7 @@ struct RecordAllocator {
 
  private:
   static constexpr std::size_t kMost = std::size_t{1} << 60;  ///< [bytes]
-  static constexpr std::align_val_t kAlignment{alignof(T) < 16 ? 16 : alignof(T)};
+  static constexpr std::align_val_t kAlignment{alignof(T)};
   static constexpr std::size_t whole_pages(std::size_t bytes) { return (bytes + kPage - 1) / kPage * kPage; }
 };
 

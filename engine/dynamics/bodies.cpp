@@ -5,7 +5,7 @@
 
 namespace repose {
 
-BodyAxes axes_of(const Vec3& position, const Mat3& turn, double scale) {
+BodyAxes body_axes(const Vec3& position, const Mat3& turn, double scale) {
   BodyAxes axes;
   for (int column = 0; column < 3; ++column)
     for (int row = 0; row < 3; ++row) axes.column[column][row] = scale * turn(row, column);
@@ -56,7 +56,7 @@ std::size_t Bodies::add(const NewBody& body) {
   const Vec3 momentum =
       axes_of_body * moments.asDiagonal() * axes_of_body.transpose() * body.angular_velocity;
   lx[i] = momentum.x(), ly[i] = momentum.y(), lz[i] = momentum.z();
-  axes[i] = axes_of(body.position, axes_of_body, s);
+  axes[i] = body_axes(body.position, axes_of_body, s);
 
   motion[i] = {};
   for (int k = 0; k < 3; ++k) {

@@ -52,7 +52,7 @@ struct alignas(64) BodyAxes {
 };
 
 /// @param turn  body to world
-BodyAxes axes_of(const Vec3& position, const Mat3& turn, double scale);
+BodyAxes body_axes(const Vec3& position, const Mat3& turn, double scale);
 
 /// A body to be added.
 struct NewBody {

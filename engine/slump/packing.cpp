@@ -114,7 +114,7 @@ class Pushing {
 
   void place(std::size_t i) {
     const NewBody& body = bodies_[i];
-    axes_[i] = axes_of(body.position, body.orientation.toRotationMatrix(), body.scale);
+    axes_[i] = body_axes(body.position, body.orientation.toRotationMatrix(), body.scale);
   }
 
   /// visit(centre, radius) for every sphere of a body.

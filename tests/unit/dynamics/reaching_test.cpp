@@ -1,6 +1,6 @@
 // Spheres of a body that come near a point, and pairs of them, against a look at every sphere in the world
-// frame. Tolerance: 1e-15 m on places, some roundings of coordinates of centimetres; a sphere within that of
-// the limit may be found or not.
+// frame. Tolerance: 1e-15 m on places, some roundings of coordinates of up to a metre; a sphere within that
+// of the limit may be found or not.
 
 #include "engine/dynamics/reaching.hpp"
 
@@ -36,7 +36,7 @@ struct Placed {
     body.scale = random.uniform(0.5, 2.0);
     body.position = 0.02 * Vec3(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform());
     body.orientation = random.rotation();
-    axes = axes_of(body.position, body.orientation.toRotationMatrix(), body.scale);
+    axes = body_axes(body.position, body.orientation.toRotationMatrix(), body.scale);
   }
   [[nodiscard]] Reaching::Of as_numbered_from(std::size_t first) const {
     return {body.shape, axes, body.position, first};
@@ -95,7 +95,7 @@ TEST(Reaching, VisitsTheNearPairsInOrder) {
     const Placed i(random, shape);
     Placed j(random, 4);
     j.body.position = i.body.position + 9e-3 * (random.rotation() * Vec3::UnitX());
-    j.axes = axes_of(j.body.position, j.body.orientation.toRotationMatrix(), j.body.scale);
+    j.axes = body_axes(j.body.position, j.body.orientation.toRotationMatrix(), j.body.scale);
     const double all = 1.0;  // the whole bodies reach into each other
     of_i.find(local, i.as_numbered_from(0), j.body.position, all, i.body.position);
     of_j.find(local, j.as_numbered_from(0), i.body.position, all, i.body.position);
