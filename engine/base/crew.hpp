@@ -39,7 +39,8 @@ class Crew {
   /// all have ended.
   template <class Work>
   void share(Work&& work);
-  /// One phase over n things, each done once by whoever is free: work(thing).
+  /// One phase over n things, each done once: work(thing). Member k begins with the k-th part of them, which
+  /// its cache may know from the phase before, and goes on to what others have not begun.
   template <class Work>
   void each(std::size_t n, Work&& work);
   /// Sends the helpers away for good.
@@ -95,9 +96,20 @@ void Crew::each(std::size_t n, Work&& work) {
     for (std::size_t thing = 0; thing < n; ++thing) work(thing);
     return;
   }
-  std::atomic<std::size_t> next{0};
-  share([&](int) {
-    for (std::size_t thing = 0; (thing = next.fetch_add(1, std::memory_order_relaxed)) < n;) work(thing);
+  struct alignas(64) Row {
+    std::atomic<std::size_t> next{0};
+    std::size_t end = 0;
+  };
+  std::array<Row, kMostMembers> rows;
+  const auto members = static_cast<std::size_t>(members_);
+  for (std::size_t k = 0; k < members; ++k)
+    rows[k].next = n * k / members, rows[k].end = n * (k + 1) / members;
+  share([&](int k) {
+    for (std::size_t turn = 0; turn < members; ++turn) {
+      Row& row = rows[(static_cast<std::size_t>(k) + turn) % members];
+      for (std::size_t thing = 0; (thing = row.next.fetch_add(1, std::memory_order_relaxed)) < row.end;)
+        work(thing);
+    }
   });
 }
 

@@ -24,7 +24,7 @@ Bodies::Bodies(std::span<const Clump> clumps, double density_of_all)
 template <class Visit>
 void Bodies::for_each_array(Visit visit) {
   for (auto* array : {&x, &y, &z, &lx, &ly, &lz, &qw, &qx, &qy, &qz, &inverse_i1, &inverse_i2, &inverse_i3,
-                      &reach, &swing, &travel, &pace, &scale})
+                      &reach, &swing, &travel, &swung, &pace, &scale})
     visit(*array);
   visit(motion);
   visit(load);
@@ -70,7 +70,7 @@ std::size_t Bodies::add(const NewBody& body) {
   reach[i] = s * clump.bounding_radius();
   swing[i] = 0.0;
   for (const Sphere& sphere : clump.spheres) swing[i] = std::max(swing[i], s * sphere.centre.norm());
-  travel[i] = pace[i] = 0.0;
+  travel[i] = swung[i] = pace[i] = 0.0;
   scale[i] = s;
   shape[i] = body.shape;
   id[i] = i == 0 ? 0 : 1 + *std::max_element(id.begin(), id.begin() + static_cast<std::ptrdiff_t>(i));

@@ -85,7 +85,8 @@ struct Bodies {
   /// Path of the body's fastest point so far, at least: Σ Δt |v| + swing Σ |turns| [m]. It bounds how far any
   /// of its spheres has come since any earlier value.
   std::vector<double> travel;
-  std::vector<double> pace;  ///< by how much travel grew at the last step [m]
+  std::vector<double> swung;  ///< the second term of travel [m]
+  std::vector<double> pace;   ///< by how much travel grew at the last step [m]
   RecordVector<BodyMotion> motion;
   RecordVector<BodyLoad> load;
   RecordVector<BodyLead> lead;

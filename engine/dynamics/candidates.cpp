@@ -1,10 +1,38 @@
 #include "engine/dynamics/candidates.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace repose {
 
-void CandidateArrays::append(const CandidateArrays& from, std::size_t begin, std::size_t end) {
+void CandidateArrays::put_last_into(CandidateSlot& slot, std::size_t begin) {
+  const CandidateSlot added = slot_from(begin);
+  if (added.count > slot.room) {
+    slot = added;
+    return;
+  }
+  slot.count = added.count;
+  for (auto* array : {&a, &b}) {
+    std::copy(array->begin() + added.begin, array->end(), array->begin() + slot.begin);
+    array->resize(begin);
+  }
+  std::copy(near.begin() + added.begin, near.end(), near.begin() + slot.begin);
+  near.resize(begin);
+}
+
+void CandidateArrays::close_up(std::span<CandidateSlot> slots) {
+  CandidateArrays closed;
+  for (CandidateSlot& slot : slots) {
+    const std::size_t begin = closed.count();
+    closed.append(*this, slot);
+    slot = closed.slot_from(begin);
+  }
+  *this = std::move(closed);
+}
+
+void CandidateArrays::append(const CandidateArrays& from, const CandidateSlot& slot) {
   const auto copy = [&](const auto& source, auto& to) {
-    to.insert(to.end(), source.data() + begin, source.data() + end);
+    to.insert(to.end(), source.begin() + slot.begin, source.begin() + slot.begin + slot.count);
   };
   copy(from.a, a), copy(from.b, b), copy(from.near, near);
 }
@@ -31,15 +59,16 @@ void NearList::append(std::int32_t a, std::int32_t b, const BodyPair& bodies, co
   copy_history(from, k, count++);
 }
 
-void NearList::gather(const CandidateArrays& candidates, std::span<const std::size_t> begin,
+void NearList::gather(const CandidateArrays& candidates, std::span<const CandidateSlot> slots,
                       std::span<const BodyPair> bodies, const NearList& old) {
   clear();
-  std::size_t group = 0;
-  for_each_flag(candidates.near, [&](std::size_t c) {
-    while (begin[group + 1] <= c) ++group;
-    make_room(count + 2 * kBlock);
-    set(count++, candidates.a[c], candidates.b[c], bodies[group]);
-  });
+  for (std::size_t group = 0; group < slots.size(); ++group) {
+    const CandidateSlot& slot = slots[group];
+    if (slot.count == 0) continue;
+    make_room(count + slot.count + 2 * kBlock);
+    for_each_flag(candidates.near, slot.begin, slot.begin + slot.count,
+                  [&](std::size_t c) { set(count++, candidates.a[c], candidates.b[c], bodies[group]); });
+  }
   make_room(count + kBlock);
   touching.assign((count + kBlock - 1) / kBlock, 0);
   for (std::size_t k = count; k < blocks() * kBlock; ++k) set(k, 0, 0, {});

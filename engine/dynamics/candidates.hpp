@@ -28,8 +28,14 @@ struct alignas(32) RollingRecord {
   double unused = 0.0;
 };
 
+/// Where the candidates of a pair of bodies, or of a body with walls, lie in CandidateArrays.
+struct CandidateSlot {
+  std::uint32_t begin = 0, count = 0, room = 0;
+};
+
 /// Candidates for contact as flat arrays. There are many times more of them than contacts, so they hold
-/// nothing else: what contacts remember is in the NearList.
+/// nothing else: what contacts remember is in the NearList. Those of one slot lie side by side, slots
+/// anywhere.
 struct CandidateArrays {
   std::vector<std::int32_t> a;     ///< sphere of body i
   std::vector<std::int32_t> b;     ///< sphere of body j; for a wall candidate the wall
@@ -37,12 +43,19 @@ struct CandidateArrays {
 
   [[nodiscard]] std::size_t count() const { return a.size(); }
   void clear() { a.clear(), b.clear(), near.clear(); }
+  [[nodiscard]] CandidateSlot slot_from(std::size_t begin) const {
+    const auto n = static_cast<std::uint32_t>(count() - begin);
+    return {static_cast<std::uint32_t>(begin), n, n};
+  }
   /// Adds a candidate; near = 0: nobody has looked at it yet.
   void push(std::int32_t first, std::int32_t second, std::uint8_t is_near = 0) {
     a.push_back(first), b.push_back(second), near.push_back(is_near);
   }
-  /// Adds candidates begin … end − 1 of other arrays.
-  void append(const CandidateArrays& from, std::size_t begin, std::size_t end);
+  /// The candidates from `begin` on, added last, become those of a slot: in its room if they fit in there.
+  void put_last_into(CandidateSlot& slot, std::size_t begin);
+  /// Brings the candidates into the order of their slots, and leaves out what belongs to none.
+  void close_up(std::span<CandidateSlot> slots);
+  void append(const CandidateArrays& from, const CandidateSlot& slot);
   /// `near` of the candidates first … first + n − 1, n ≤ 8, from the lowest bits.
   void set_near(std::size_t first, std::size_t n, unsigned bits) {
     for (std::size_t k = 0; k < n; ++k) near[first + k] = (bits >> k) & 1U;
@@ -104,8 +117,8 @@ struct NearList {
   void append(std::int32_t a, std::int32_t b, const BodyPair& bodies, const NearList& from, std::size_t k);
   /// Takes the candidates whose `near` is set. Of those that touched, the ones that are near keep what `old`,
   /// this list as it was before, remembers of them. The padding is the dummy sphere against itself.
-  /// @param begin, bodies  candidates begin[g] … begin[g+1]−1 are of bodies[g]; at walls j counts for nothing
-  void gather(const CandidateArrays& candidates, std::span<const std::size_t> begin,
+  /// @param slots, bodies  candidates of slots[g] are of bodies[g]; at walls j counts for nothing
+  void gather(const CandidateArrays& candidates, std::span<const CandidateSlot> slots,
               std::span<const BodyPair> bodies, const NearList& old);
   /// Sets placed_a and placed_b.
   /// @param place_of  index of each sphere's PlacedSphere
@@ -123,14 +136,20 @@ struct NearList {
   }
 };
 
-/// visit(k) for every flag k that is not 0, ascending; most are 0.
+/// visit(k) for every flag k, begin ≤ k < end, that is not 0, ascending; most are 0.
 template <class Visit>
-void for_each_flag(std::span<const std::uint8_t> flags, Visit visit) {
+void for_each_flag(std::span<const std::uint8_t> flags, std::size_t begin, std::size_t end, Visit visit) {
   static_assert(std::endian::native == std::endian::little);
   constexpr std::size_t kAtOnce = sizeof(std::uint64_t);
-  for (std::size_t first = 0; first < flags.size(); first += kAtOnce) {
+  for (std::size_t first = begin; first < end; first += kAtOnce) {
     std::uint64_t some = 0;  // a byte a flag, each 0 or 1
-    std::memcpy(&some, flags.data() + first, std::min(kAtOnce, flags.size() - first));
+    const std::size_t left = end - first;
+    if (first + kAtOnce <= flags.size()) {  // a copy of fixed size is one instruction
+      std::memcpy(&some, flags.data() + first, kAtOnce);
+      if (left < kAtOnce) some &= (std::uint64_t{1} << (8 * left)) - 1;
+    } else {
+      std::memcpy(&some, flags.data() + first, std::min(kAtOnce, left));
+    }
     for (; some != 0; some &= some - 1) visit(first + static_cast<std::size_t>(std::countr_zero(some)) / 8);
   }
 }

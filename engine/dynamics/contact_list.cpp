@@ -20,7 +20,7 @@ PlacedSphere placed_alone(const Bodies& bodies, std::size_t i, const LocalSphere
 }  // namespace
 
 void ContactList::Until::resize(std::size_t count, std::size_t padded) {
-  for (auto* array : {&bodies, &spheres, &near}) {
+  for (auto* array : {&bodies, &spheres, &walls, &near}) {
     array->resize(count);
     array->resize(padded, std::numeric_limits<double>::infinity());
   }
@@ -88,9 +88,10 @@ PlacedSphere ContactList::placed_now(const Bodies& bodies, std::size_t i, std::s
 }
 
 void ContactList::add_body(const Bodies& bodies) {
+  ++changes_;
   const std::size_t i = bodies.count - 1;
   until_.resize(i, bodies.padded());
-  for (auto* until : {&until_.bodies, &until_.spheres, &until_.near}) (*until)[i] = -1.0;
+  for (auto* until : {&until_.bodies, &until_.spheres, &until_.walls, &until_.near}) (*until)[i] = -1.0;
   const std::size_t spheres = first_sphere_.back() + bodies.spheres(i).size();
   first_sphere_.push_back(spheres);
   placed.resize(spheres);
@@ -105,13 +106,15 @@ void ContactList::hand_over_wall(int from, int to, double side) {
     CandidateArrays& walls = section.lists.walls;
     NearList& near = section.near_walls;
     std::size_t k = 0;  // the near ones are those whose flag is set; the next update lists all anew
-    for_each_flag(walls.near, [&](std::size_t c) {
-      if (walls.b[c] == from && near.first(placed, k).centre[0] * side > 0.0) {
-        walls.b[c] = to;
-        near.set_wall(k, to);
+    for (const CandidateSlot& slot : section.lists.wall_slots)
+      for (std::size_t c = slot.begin; c < slot.begin + slot.count; ++c) {
+        if (walls.near[c] == 0) continue;
+        if (walls.b[c] == from && near.first(placed, k).centre[0] * side > 0.0) {
+          walls.b[c] = to;
+          near.set_wall(k, to);
+        }
+        ++k;
       }
-      ++k;
-    });
   }
   renumbered_ = true;
 }

@@ -35,6 +35,8 @@ namespace repose {
 class ContactList {
  public:
   static constexpr double kFarthest = 1e3;  ///< [m]
+  /// What is added to a threshold against rounding [m]: far above that of coordinates of kFarthest.
+  static constexpr double kRounding = 1e-12;
 
   struct Skins {
     double bodies = 0.0;   ///< s1 [m]
@@ -82,12 +84,14 @@ class ContactList {
 
   [[nodiscard]] long updates() const { return updates_; }  ///< of candidates
   [[nodiscard]] long looks() const { return looks_; }      ///< of near candidates
+  /// Grows whenever sections or what is near in them change.
+  [[nodiscard]] long changes() const { return changes_; }
 
  private:
   /// What a body may travel before it is looked at again, as a value of Bodies::travel [m]; +∞ behind the
   /// last body, −1 for a new one. near ≤ spheres ≤ bodies.
   struct Until {
-    std::vector<double> bodies, spheres, near;
+    std::vector<double> bodies, spheres, walls, near;
     void resize(std::size_t count, std::size_t padded);
   };
 
@@ -119,11 +123,10 @@ class ContactList {
   };
   void list_candidates(const Bodies& bodies, std::span<const Wall> walls, Relist anew, Crew& crew);
   void flag_moved(const Bodies& bodies);
-  void begin_listing(Section& section, const CellGrid* grid);
-  [[nodiscard]] bool is_to_list(const BodyPair& pair) const;
+  static void find_pairs(const CellGrid& grid, Section& section);
   [[nodiscard]] bool in_reach(const Bodies& bodies, const BodyPair& pair) const;
-  void list_pairs(const Bodies& bodies, Section& section) const;
-  void list_walls(const Bodies& bodies, std::span<const Wall> walls, bool all, Section& section) const;
+  void list_pairs(const Bodies& bodies, bool all, Section& section);
+  void list_walls(const Bodies& bodies, std::span<const Wall> walls, bool all, Section& section);
   void list_walls_of(const Bodies& bodies, std::size_t i, std::span<const Wall> walls,
                      CandidateArrays& to) const;
   void list_pair(const Bodies& bodies, const BodyPair& pair, Reaching& of_i, Reaching& of_j,
@@ -135,6 +138,7 @@ class ContactList {
   void share_out_walls(std::span<const Wall> walls);
   void look_at(const Bodies& bodies, bool all_walls, Section& section);
   void look_at_pair(const Bodies& bodies, Section& section, std::size_t pair) const;
+  void find_near(const Bodies& bodies, Section& section, std::size_t pair, double slack) const;
   void look_at_walls(const Bodies& bodies, Section& section, std::size_t i) const;
   void find_places(const Bodies& bodies, Crew& crew);
   void flag_needed(const Section& section);
@@ -148,7 +152,7 @@ class ContactList {
   bool rolls_;
   std::size_t section_bodies_;
   bool renumbered_ = true;  ///< bodies or walls have other numbers than when candidates were listed
-  long updates_ = 0, looks_ = 0;
+  long updates_ = 0, looks_ = 0, changes_ = 0;
 
   Until until_;
   std::vector<Wall> listed_walls_;  ///< as of the last listing

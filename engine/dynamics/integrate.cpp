@@ -247,9 +247,10 @@ double integrate_range(Bodies& bodies, const MotionStep& step, std::size_t begin
                       step.rolling == RollingModel::type_a ? T(dt * sum[3]) : T(0.0)};
     T turned;
     const Triple<T> w = rotate<kIntegrator>(bodies, first, twist, step, turned, taken_energy);
-    const T pace = moved + load(bodies.swing, first) * turned;
+    const T swung = load(bodies.swing, first) * turned, pace = moved + swung;
     store(pace, bodies.pace, first);
     store(load(bodies.travel, first) + pace, bodies.travel, first);
+    store(load(bodies.swung, first) + swung, bodies.swung, first);
     motion[4] = w.x, motion[5] = w.y, motion[6] = w.z;
     if (step.rolling == RollingModel::type_a_relative)
       motion[7] = larger(sum[7], T(1.0)) * softest_axis(bodies, first);

@@ -7,26 +7,27 @@
 
 namespace repose {
 
-/// Sections are listed in two phases: all must have said which bodies are to be listed before their
-/// candidates are found.
+namespace {
+
+/// Part of skins.spheres that a body may travel before its pairs are looked over. A larger one looks them
+/// over less often, a smaller one lists fewer of them anew. Figures in tools/bench/NOTES.md.
+constexpr double kShare = 0.25;
+
+}  // namespace
+
 void ContactList::list_candidates(const Bodies& bodies, std::span<const Wall> walls, Relist anew,
                                   Crew& crew) {
   ++updates_;
   flag_moved(bodies);
   std::optional<CellGrid> grid;
   if (anew.bodies) grid.emplace(search_spheres(bodies), skins_.bodies);
-  each_section(crew, [&](Section& section) { begin_listing(section, grid ? &*grid : nullptr); });
+  each_section(crew, [&](Section& section) {
+    if (grid) find_pairs(*grid, section);
+    list_pairs(bodies, anew.bodies, section);
+    list_walls(bodies, walls, anew.walls, section);
+  });
   if (anew.bodies)
     for (std::size_t i = 0; i < bodies.count; ++i) until_.bodies[i] = bodies.travel[i] + 0.5 * skins_.bodies;
-  each_section(crew, [&](Section& section) {
-    list_pairs(bodies, section);
-    list_walls(bodies, walls, anew.walls, section);
-    for (std::size_t i = section.first; i < section.last; ++i) {
-      if (!moved_[i]) continue;
-      until_.spheres[i] = bodies.travel[i] + 0.5 * skins_.spheres;
-      is_looked_[i] = 1;
-    }
-  });
 }
 
 SearchSpheres ContactList::search_spheres(const Bodies& bodies) {
@@ -36,37 +37,62 @@ SearchSpheres ContactList::search_spheres(const Bodies& bodies) {
   return {first(bodies.x), first(bodies.y), first(bodies.z), first(bodies.reach)};
 }
 
-/// Bodies that have used more than half of their share are listed with those that have used all of it, so
-/// that listings of single bodies come in batches.
+/// Bodies that have used more than half of their share are looked over with those that have used all of it,
+/// so that this comes in batches.
 void ContactList::flag_moved(const Bodies& bodies) {
+  const double share = kShare * skins_.spheres;
   moved_.resize(bodies.count);
-  for (std::size_t i = 0; i < bodies.count; ++i)
-    moved_[i] = bodies.travel[i] > until_.spheres[i] - 0.25 * skins_.spheres;
-}
-
-/// Sets the lists of before aside. With a grid the pairs of bodies are found anew; a pair that was not near
-/// before has no candidates to keep: both its bodies are listed anew.
-void ContactList::begin_listing(Section& section, const CellGrid* grid) {
-  std::swap(section.old, section.lists);
-  std::vector<BodyPair>& pairs = section.lists.body_pairs;
-  const std::vector<BodyPair>& old_pairs = section.old.body_pairs;
-  if (grid == nullptr) {
-    pairs = old_pairs;
-    return;
-  }
-  pairs.clear();
-  for (std::size_t i = section.first; i < section.last; ++i) grid->append_pairs_of(i, pairs);
-  auto old = old_pairs.begin();
-  for (const BodyPair& pair : pairs) {
-    while (old != old_pairs.end() && *old < pair) ++old;
-    if (old != old_pairs.end() && *old == pair) continue;
-    raise(moved_[static_cast<std::size_t>(pair.i)]);
-    raise(moved_[static_cast<std::size_t>(pair.j)]);
+  for (std::size_t i = 0; i < bodies.count; ++i) {
+    moved_[i] = bodies.travel[i] > until_.spheres[i] - 0.5 * share;
+    if (moved_[i]) until_.spheres[i] = bodies.travel[i] + share;
   }
 }
 
-bool ContactList::is_to_list(const BodyPair& pair) const {
-  return moved_[static_cast<std::size_t>(pair.i)] || moved_[static_cast<std::size_t>(pair.j)];
+/// Pairs of bodies anew; those that there were before keep what is known of them.
+void ContactList::find_pairs(const CellGrid& grid, Section& section) {
+  Section::Lists &lists = section.lists, &old = section.old;
+  std::swap(lists.body_pairs, old.body_pairs);
+  std::swap(lists.listed, old.listed);
+  std::swap(lists.looked, old.looked);
+  std::swap(lists.pair_slots, old.pair_slots);
+  lists.body_pairs.clear();
+  for (std::size_t i = section.first; i < section.last; ++i) grid.append_pairs_of(i, lists.body_pairs);
+  lists.listed.assign(lists.body_pairs.size(), {});
+  lists.looked.assign(lists.body_pairs.size(), {});
+  lists.pair_slots.assign(lists.body_pairs.size(), {});
+  std::size_t was = 0;
+  for (std::size_t p = 0; p < lists.body_pairs.size(); ++p) {
+    while (was < old.body_pairs.size() && old.body_pairs[was] < lists.body_pairs[p]) ++was;
+    if (was == old.body_pairs.size() || old.body_pairs[was] != lists.body_pairs[p]) continue;
+    lists.listed[p] = old.listed[was];
+    lists.looked[p] = old.looked[was];
+    lists.pair_slots[p] = old.pair_slots[was];
+  }
+  section.changed = true;
+}
+
+/// Pairs whose bodies may come nearer to each other than their candidates know, before they are looked over
+/// again.
+/// @param all  also pairs neither of whose bodies has moved
+void ContactList::list_pairs(const Bodies& bodies, bool all, Section& section) {
+  Section::Lists& lists = section.lists;
+  Reaching of_i, of_j;
+  for (std::size_t p = 0; p < lists.body_pairs.size(); ++p) {
+    const BodyPair& pair = lists.body_pairs[p];
+    const auto i = static_cast<std::size_t>(pair.i), j = static_cast<std::size_t>(pair.j);
+    if (!all && !moved_[i] && !moved_[j]) continue;
+    const RelativePose pose(bodies, pair);
+    const double shares = until_.spheres[i] - bodies.travel[i] + until_.spheres[j] - bodies.travel[j];
+    if (lists.listed[p].holds(pose, shares + kRounding)) continue;
+    lists.listed[p] = {pose, skins_.spheres};
+    lists.looked[p] = {};
+    const std::size_t begin = lists.pairs.count();
+    if (in_reach(bodies, pair)) list_pair(bodies, pair, of_i, of_j, lists.pairs);
+    lists.pairs.put_last_into(lists.pair_slots[p], begin);
+    is_looked_[i] = 1;
+    section.changed = true;
+  }
+  if (all) lists.pairs.close_up(lists.pair_slots);
 }
 
 bool ContactList::in_reach(const Bodies& bodies, const BodyPair& pair) const {
@@ -74,35 +100,6 @@ bool ContactList::in_reach(const Bodies& bodies, const BodyPair& pair) const {
   const double dx = bodies.x[i] - bodies.x[j], dy = bodies.y[i] - bodies.y[j], dz = bodies.z[i] - bodies.z[j];
   const double bounds = bodies.reach[i] + bodies.reach[j] + skins_.spheres;
   return dx * dx + dy * dy + dz * dz < bounds * bounds;
-}
-
-/// Candidates of pairs that have not moved stay, and are taken over as long rows.
-void ContactList::list_pairs(const Bodies& bodies, Section& section) const {
-  Section::Lists& lists = section.lists;
-  const Section::Lists& old = section.old;
-  lists.pairs.clear();
-  lists.pair_begin.assign(1, 0);
-  std::size_t known = 0, begin = 0, end = 0;  // candidates of `old` to be taken over
-  const auto take_over = [&] {
-    lists.pairs.append(old.pairs, begin, end);
-    begin = end = 0;
-  };
-  Reaching of_i, of_j;
-  for (const BodyPair& pair : lists.body_pairs) {
-    while (known < old.body_pairs.size() && old.body_pairs[known] < pair) ++known;
-    if (is_to_list(pair)) {
-      take_over();
-      if (in_reach(bodies, pair)) list_pair(bodies, pair, of_i, of_j, lists.pairs);
-    } else {
-      if (end != old.pair_begin[known]) {
-        take_over();
-        begin = old.pair_begin[known];
-      }
-      end = old.pair_begin[known + 1];
-    }
-    lists.pair_begin.push_back(lists.pairs.count() + (end - begin));
-  }
-  take_over();
 }
 
 void ContactList::list_pair(const Bodies& bodies, const BodyPair& pair, Reaching& of_i, Reaching& of_j,
@@ -119,25 +116,23 @@ void ContactList::list_pair(const Bodies& bodies, const BodyPair& pair, Reaching
                 [&](std::size_t a, std::size_t b) { to.push(of_i.sphere[a], of_j.sphere[b]); });
 }
 
-/// Candidates are sorted by body, sphere and wall. Those of bodies that have not moved stay, unless a wall
-/// has (`all`).
-void ContactList::list_walls(const Bodies& bodies, std::span<const Wall> walls, bool all,
-                             Section& section) const {
+/// Those of bodies that have not travelled far stay, unless a wall has moved (`all`).
+void ContactList::list_walls(const Bodies& bodies, std::span<const Wall> walls, bool all, Section& section) {
   Section::Lists& lists = section.lists;
-  const Section::Lists& old = section.old;
-  lists.walls.clear();
-  lists.wall_begin.assign(1, 0);
-  for (std::size_t k = 0; section.first + k < section.last; ++k) {
-    const std::size_t i = section.first + k;
-    const bool known = k + 1 < old.wall_begin.size();
-    if (all || moved_[i] || !known)
-      list_walls_of(bodies, i, walls, lists.walls);
-    else
-      lists.walls.append(old.walls, old.wall_begin[k], old.wall_begin[k + 1]);
-    lists.wall_begin.push_back(lists.walls.count());
+  lists.wall_slots.resize(section.last - section.first);
+  for (std::size_t i = section.first; i < section.last; ++i) {
+    if (!all && until_.spheres[i] <= until_.walls[i]) continue;
+    until_.walls[i] = bodies.travel[i] + 0.5 * skins_.spheres;
+    const std::size_t begin = lists.walls.count();
+    list_walls_of(bodies, i, walls, lists.walls);
+    lists.walls.put_last_into(lists.wall_slots[i - section.first], begin);
+    is_looked_[i] = 1;
+    section.changed = true;
   }
+  if (all) lists.walls.close_up(lists.wall_slots);
 }
 
+/// Sorted by sphere and wall.
 void ContactList::list_walls_of(const Bodies& bodies, std::size_t i, std::span<const Wall> walls,
                                 CandidateArrays& to) const {
   const Vec3 position = bodies.position(i);

@@ -16,15 +16,13 @@ namespace {
 constexpr double kLookSteps = 32.0, kTogether = 12.0;
 constexpr double kLeastShare = 1.0 / 256.0, kMostShare = 0.25;
 
-/// What is added to a threshold against rounding [m]: far above that of coordinates of kFarthest.
-constexpr double kRounding = 1e-12;
-
 }  // namespace
 
 /// Pairs are looked at once the shares of all bodies are settled, and spheres are needed once all sections
 /// have said so.
 void ContactList::look_near(const Bodies& bodies, std::span<const Wall> walls, bool all_walls, Crew& crew) {
   ++looks_;
+  ++changes_;
   if (all_walls) share_out_walls(walls);
   each_section(crew, [&](const Section& section) {
     share_out(bodies, section);
@@ -33,7 +31,7 @@ void ContactList::look_near(const Bodies& bodies, std::span<const Wall> walls, b
   });
   each_section(crew, [&](Section& section) {
     look_at(bodies, all_walls, section);
-    section.gather_near();
+    if (section.changed) section.gather_near();
     flag_needed(section);
   });
   find_places(bodies, crew);
@@ -61,6 +59,7 @@ void ContactList::share_out_walls(std::span<const Wall> walls) {
 void ContactList::look_at(const Bodies& bodies, bool all_walls, Section& section) {
   for (std::size_t p = 0; p < section.lists.body_pairs.size(); ++p) {
     const auto [i, j] = section.lists.body_pairs[p];
+    if (section.lists.pair_slots[p].count == 0) continue;
     if (is_looked_[static_cast<std::size_t>(i)] || is_looked_[static_cast<std::size_t>(j)])
       look_at_pair(bodies, section, p);
   }
@@ -68,15 +67,27 @@ void ContactList::look_at(const Bodies& bodies, bool all_walls, Section& section
     if (all_walls || is_looked_[i]) look_at_walls(bodies, section, i);
 }
 
+/// Nothing is to be done where the two have hardly moved against each other since their last look.
+void ContactList::look_at_pair(const Bodies& bodies, Section& section, std::size_t pair) const {
+  const auto [i, j] = section.lists.body_pairs[pair];
+  const double shares =
+      left(bodies, static_cast<std::size_t>(i)) + left(bodies, static_cast<std::size_t>(j)) + kRounding;
+  const RelativePose pose(bodies, {i, j});
+  Tether& looked = section.lists.looked[pair];
+  if (looked.holds(pose, shares)) return;
+  looked = {pose, shares};
+  find_near(bodies, section, pair, shares);
+  section.changed = true;
+}
+
 /// All candidates of a pair of bodies, a vector at a time: their spheres are placed in registers, since most
 /// are not near.
-void ContactList::look_at_pair(const Bodies& bodies, Section& section, std::size_t pair) const {
+void ContactList::find_near(const Bodies& bodies, Section& section, std::size_t pair, double slack) const {
   CandidateArrays& candidates = section.lists.pairs;
-  const std::size_t begin = section.lists.pair_begin[pair], end = section.lists.pair_begin[pair + 1];
-  if (begin == end) return;
+  const CandidateSlot& slot = section.lists.pair_slots[pair];
+  const std::size_t begin = slot.begin, end = begin + slot.count;
   const auto i = static_cast<std::size_t>(section.lists.body_pairs[pair].i),
              j = static_cast<std::size_t>(section.lists.body_pairs[pair].j);
-  const SimdReal share = left(bodies, i) + left(bodies, j) + kRounding;
   const Vec3 apart = bodies.position(i) - bodies.position(j);
   const auto placed_at = [&](const std::vector<std::int32_t>& spheres, std::size_t body, std::size_t first,
                              Fields4& sphere) {
@@ -98,7 +109,7 @@ void ContactList::look_at_pair(const Bodies& bodies, Section& section, std::size
     placed_at(candidates.a, i, first, a);
     placed_at(candidates.b, j, first, b);
     const SimdReal dx = a[0] - b[0] + apart.x(), dy = a[1] - b[1] + apart.y(), dz = a[2] - b[2] + apart.z();
-    const SimdReal reach = a[3] + b[3] + share;
+    const SimdReal reach = a[3] + b[3] + SimdReal(slack);
     const unsigned near = less_bits(dx * dx + dy * dy + dz * dz, reach * reach);
     candidates.set_near(first, std::min(kSimdWidth, end - first), near);
   }
@@ -107,8 +118,9 @@ void ContactList::look_at_pair(const Bodies& bodies, Section& section, std::size
 void ContactList::look_at_walls(const Bodies& bodies, Section& section, std::size_t i) const {
   const double share = left(bodies, i) + wall_share_ + kRounding;
   CandidateArrays& candidates = section.lists.walls;
-  const std::size_t k = i - section.first;
-  for (std::size_t c = section.lists.wall_begin[k]; c < section.lists.wall_begin[k + 1]; ++c) {
+  const CandidateSlot& slot = section.lists.wall_slots[i - section.first];
+  section.changed |= slot.count != 0;
+  for (std::size_t c = slot.begin; c < slot.begin + slot.count; ++c) {
     const PlacedSphere sphere = placed_now(bodies, i, static_cast<std::size_t>(candidates.a[c]));
     const Wall& wall = looked_walls_[static_cast<std::size_t>(candidates.b[c])];
     candidates.set_near(c, 1, within_reach(wall, Vec3(sphere.centre), sphere.radius + share));
@@ -135,8 +147,7 @@ void ContactList::collect_needed(const Bodies& bodies, Section& section) {
   section.needed.clear();
   const std::size_t begin = first_sphere_[section.first], end = first_sphere_[section.last];
   std::size_t place = begin, i = section.first;
-  for_each_flag(std::span(is_needed_).subspan(begin, end - begin), [&](std::size_t k) {
-    const std::size_t sphere = begin + k;
+  for_each_flag(is_needed_, begin, end, [&](std::size_t sphere) {
     while (first_sphere_[i + 1] <= sphere) ++i;
     place_of_[sphere] = static_cast<std::int32_t>(place++);
     section.needed.push_back({static_cast<std::int32_t>(i),

@@ -22,6 +22,7 @@ struct ContactList::Renumbering {
 
 /// Sections before the first body that goes stay as they are: their pairs are with bodies of smaller numbers.
 void ContactList::renumber(const Bodies& bodies, std::span<const int> new_index, Crew& crew) {
+  ++changes_;
   const auto dropped = static_cast<std::size_t>(
       std::ranges::find_if(new_index, [](int index) { return index < 0; }) - new_index.begin());
   const Renumbering to = move_spheres(new_index);
@@ -29,7 +30,7 @@ void ContactList::renumber(const Bodies& bodies, std::span<const int> new_index,
   move_lists(to, first_section);
   while (!sections.empty() && sections.back().first >= bodies.count) sections.pop_back();
   if (!sections.empty()) sections.back().last = bodies.count;
-  for (auto* array : {&until_.bodies, &until_.spheres, &until_.near})
+  for (auto* array : {&until_.bodies, &until_.spheres, &until_.walls, &until_.near})
     for (std::size_t i = 0; i < new_index.size(); ++i)
       if (new_index[i] >= 0) (*array)[static_cast<std::size_t>(new_index[i])] = (*array)[i];
   until_.resize(bodies.count, bodies.padded());
@@ -97,20 +98,26 @@ void ContactList::move_candidates(const Renumbering& to, const Section& from) {
     const auto [i, j] = from.old.body_pairs[p];
     if (body(i) < 0 || body(j) < 0) continue;
     Section::Lists& lists = section_of(static_cast<std::size_t>(body(i))).lists;
-    lists.body_pairs.push_back({body(i), body(j)});
-    for (std::size_t c = from.old.pair_begin[p]; c < from.old.pair_begin[p + 1]; ++c)
+    const CandidateSlot& slot = from.old.pair_slots[p];
+    const std::size_t begin = lists.pairs.count();
+    for (std::size_t c = slot.begin; c < slot.begin + slot.count; ++c)
       lists.pairs.push(to.moved(from.old.pairs.a[c], static_cast<std::size_t>(i)),
                        to.moved(from.old.pairs.b[c], static_cast<std::size_t>(j)), from.old.pairs.near[c]);
-    lists.pair_begin.push_back(lists.pairs.count());
+    lists.body_pairs.push_back({body(i), body(j)});
+    lists.listed.push_back(from.old.listed[p]);
+    lists.looked.push_back(from.old.looked[p]);
+    lists.pair_slots.push_back(lists.pairs.slot_from(begin));
   }
   // Bodies that have been added since the last listing have no candidates yet, and are behind all others.
-  for (std::size_t k = 0; k + 1 < from.old.wall_begin.size(); ++k) {
+  for (std::size_t k = 0; k < from.old.wall_slots.size(); ++k) {
     const std::size_t i = from.first + k;
     if (!to.stays(i)) continue;
     Section::Lists& lists = section_of(static_cast<std::size_t>(to.body[i])).lists;
-    for (std::size_t c = from.old.wall_begin[k]; c < from.old.wall_begin[k + 1]; ++c)
+    const CandidateSlot& slot = from.old.wall_slots[k];
+    const std::size_t begin = lists.walls.count();
+    for (std::size_t c = slot.begin; c < slot.begin + slot.count; ++c)
       lists.walls.push(to.moved(from.old.walls.a[c], i), from.old.walls.b[c], from.old.walls.near[c]);
-    lists.wall_begin.push_back(lists.walls.count());
+    lists.wall_slots.push_back(lists.walls.slot_from(begin));
   }
 }
 

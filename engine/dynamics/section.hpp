@@ -6,6 +6,7 @@
 
 #include "engine/dynamics/candidates.hpp"
 #include "engine/dynamics/cell_grid.hpp"
+#include "engine/dynamics/tether.hpp"
 
 namespace repose {
 
@@ -20,10 +21,13 @@ struct Section {
 
   /// Levels 1 and 2 of ContactList.
   struct Lists {
-    std::vector<BodyPair> body_pairs;        ///< sorted
-    std::vector<std::size_t> pair_begin{0};  ///< candidates of body pair p: pair_begin[p] … pair_begin[p+1]−1
-    std::vector<std::size_t> wall_begin{0};  ///< wall candidates of the section's k-th body, in the same way
-    CandidateArrays pairs, walls;            ///< of pairs of bodies, of bodies and walls
+    std::vector<BodyPair> body_pairs;  ///< sorted
+    std::vector<Tether> listed;        ///< of each body pair, while its candidates are all that may touch
+    std::vector<Tether> looked;        ///< the same, while the near ones are
+    std::vector<CandidateSlot> pair_slots;
+    CandidateArrays pairs;
+    std::vector<CandidateSlot> wall_slots;  ///< of each body of the section
+    CandidateArrays walls;
     void clear();
   };
 
@@ -47,8 +51,11 @@ struct Section {
   };
   std::vector<Needed> needed;  ///< in the order of their places
 
+  bool changed =
+      false;  ///< candidates, or which of them are near, since near_pairs and near_walls were gathered
+
   // As they were before the change under way.
-  Lists old;
+  Lists old;  ///< only what the change needs
   NearList old_near_pairs, old_near_walls;
 
   /// near_pairs and near_walls anew, from the candidates whose `near` is set.

@@ -11,18 +11,26 @@ namespace repose {
 struct SectionTally {
   ContactWork work;
   double rolling_loss = 0.0;  ///< what integrate() returns [J]
-  std::size_t pairs_touching = 0;
+  std::size_t pairs_touching = 0, walls_touching = 0;
 };
 
-/// What one member of a crew does in a step: sections first … last − 1, with room to work.
-struct Share {
+/// Sections first … last − 1.
+struct SectionRow {
   std::size_t first = 0, last = 0;
+  [[nodiscard]] bool empty() const { return first == last; }
+};
+
+/// What one member of a crew does in a step, with room to work.
+struct Share {
+  SectionRow pairs;   ///< whose spheres it places and whose pairs of bodies it works through
+  SectionRow motion;  ///< whose contacts with walls it works through and whose bodies it moves
   TouchingList touching;
   TouchingWalls touching_walls;
   LoadsBeyond beyond;
 };
 
-/// Deals all sections out as neighbours, with about the same work for each share by what the last step found.
+/// Deals all sections out as neighbours, pairs and motion each for itself, since members meet between them:
+/// with about the same work for each share by what the last step found.
 /// @param tallies  of the last step, one a section; a section that is new may have none yet
 void deal_out(std::span<const Section> sections, std::span<const SectionTally> tallies,
               std::span<Share> shares);

@@ -60,16 +60,21 @@ Simulation::Simulation(const Scene& scene, double dt, std::shared_ptr<Crew> crew
 /// Members of the crew meet between phases: contacts need the spheres of all, and a body's motion the loads
 /// that others have for it.
 bool Simulation::step() {
-  shares_.resize(static_cast<std::size_t>(crew_->admit()));
+  const auto members = static_cast<std::size_t>(crew_->admit());
   if (!contacts_.update(bodies_, walls, *crew_)) return false;
-  deal_out(contacts_.sections, tallies_, shares_);
-  tallies_.resize(contacts_.sections.size());
+  if (members != shares_.size() ||
+      contacts_.changes() != dealt_) {  // else what a core has in its cache stays
+    dealt_ = contacts_.changes();
+    shares_.resize(members);
+    deal_out(contacts_.sections, tallies_, shares_);
+    tallies_.resize(contacts_.sections.size());
+  }
   const auto share = [this](int k) -> Share& { return shares_[static_cast<std::size_t>(k)]; };
 
   crew_->share([&](int k) { place_spheres(share(k)); });
   crew_->share([&](int k) { pair_forces(share(k)); });
   crew_->share([&](int k) {
-    for (int other = k + 1; other < crew_->members(); ++other) take_loads(share(k), share(other));
+    for (const Share& from : shares_) take_loads(share(k), from);
     move(share(k));
   });
 
@@ -83,7 +88,7 @@ bool Simulation::step() {
 /// with bodies of smaller numbers: they are still near in the cache.
 void Simulation::place_spheres(const Share& share) {
   if (shares_.size() == 1) return;
-  for (std::size_t s = share.first; s < share.last; ++s) place_spheres(contacts_.sections[s]);
+  for (std::size_t s = share.pairs.first; s < share.pairs.last; ++s) place_spheres(contacts_.sections[s]);
 }
 
 void Simulation::place_spheres(const Section& section) {
@@ -93,9 +98,10 @@ void Simulation::place_spheres(const Section& section) {
 }
 
 void Simulation::pair_forces(Share& share) {
-  if (share.first == share.last) return share.beyond.start(0);
-  share.beyond.start(NearList::kLine * static_cast<std::int32_t>(contacts_.sections[share.first].first));
-  for (std::size_t s = share.first; s < share.last; ++s) {
+  if (share.pairs.empty()) return share.beyond.start(0);
+  share.beyond.start(NearList::kLine *
+                     static_cast<std::int32_t>(contacts_.sections[share.pairs.first].first));
+  for (std::size_t s = share.pairs.first; s < share.pairs.last; ++s) {
     Section& section = contacts_.sections[s];
     if (shares_.size() == 1) place_spheres(section);
     tallies_[s].work = kernels_.pairs(force_step_, bodies_, contacts_.placed, section.near_pairs,
@@ -104,11 +110,12 @@ void Simulation::pair_forces(Share& share) {
   }
 }
 
-/// What another share's contacts put on bodies of this one.
+/// What a share's contacts put on bodies beyond its own that this one moves.
 void Simulation::take_loads(const Share& share, const Share& from) {
-  if (share.first == share.last) return;
-  const auto begin = NearList::kLine * static_cast<std::int32_t>(contacts_.sections[share.first].first),
-             end = NearList::kLine * static_cast<std::int32_t>(contacts_.sections[share.last - 1].last);
+  if (share.motion.empty()) return;
+  const auto& sections = contacts_.sections;
+  const auto begin = NearList::kLine * static_cast<std::int32_t>(sections[share.motion.first].first),
+             end = NearList::kLine * static_cast<std::int32_t>(sections[share.motion.last - 1].last);
   for (std::size_t row = 0; row < from.beyond.body.size(); ++row) {
     const std::int32_t body = from.beyond.body[row];
     if (begin <= body && body < end) bodies_.load_at(body) += from.beyond.load[row];
@@ -116,10 +123,11 @@ void Simulation::take_loads(const Share& share, const Share& from) {
 }
 
 void Simulation::move(Share& share) {
-  for (std::size_t s = share.first; s < share.last; ++s) {
+  for (std::size_t s = share.motion.first; s < share.motion.last; ++s) {
     Section& section = contacts_.sections[s];
     tallies_[s].work += kernels_.walls(force_step_, bodies_, contacts_.placed, section.near_walls, walls,
                                        share.touching_walls);
+    tallies_[s].walls_touching = share.touching_walls.count;
     tallies_[s].rolling_loss = integrate(bodies_, motion_step_, section.first, section.last);
   }
 }

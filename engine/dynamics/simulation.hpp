@@ -84,6 +84,7 @@ class Simulation {
   ContactList contacts_;
   std::shared_ptr<Crew> crew_;
   std::vector<Share> shares_;
+  long dealt_ = -1;  ///< ContactList::changes() when they were dealt out
   std::vector<SectionTally> tallies_;
 };
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <tuple>
 #include <vector>
 
 #include "engine/base/random.hpp"
@@ -30,21 +31,22 @@ Memory memory_of(const NearList& list) {
 struct Candidates {
   CandidateArrays arrays;
   std::vector<BodyPair> bodies;
-  std::vector<std::size_t> begin{0};
+  std::vector<CandidateSlot> slots;
 
-  void gather_into(NearList& list, const NearList& old) const { list.gather(arrays, begin, bodies, old); }
+  void gather_into(NearList& list, const NearList& old) const { list.gather(arrays, slots, bodies, old); }
 };
 
 Candidates random_candidates(RandomStream& random, int bodies) {
   Candidates candidates;
   for (int i = 0; i < bodies; ++i)
     for (int j = 0; j < i; ++j) {
+      const std::size_t begin = candidates.arrays.count();
       for (int a = 1; a <= 2; ++a)
         for (int b = 1; b <= 2; ++b)
           if (random.uniform() >= 0.3)
             candidates.arrays.push(2 * i + a, 2 * j + b, random.uniform() < 0.6 ? 1 : 0);
       candidates.bodies.push_back({i, j});
-      candidates.begin.push_back(candidates.arrays.count());
+      candidates.slots.push_back(candidates.arrays.slot_from(begin));
     }
   return candidates;
 }
@@ -113,17 +115,52 @@ TEST(NearList, CandidatesThatBeginToTouchRememberNothing) {
   EXPECT_EQ(list.touching[0], 0xff);
 }
 
-TEST(NearList, VisitsEveryFlagThatIsSet) {
+TEST(NearList, VisitsEveryFlagOfARowThatIsSet) {
   RandomStream random(8, 11);
   for (std::size_t n = 0; n < 40; ++n) {
     std::vector<std::uint8_t> flags(n);
-    std::vector<std::size_t> expected, visited;
-    for (std::size_t k = 0; k < n; ++k) {
-      flags[k] = random.uniform() < 0.3 ? 1 : 0;
-      if (flags[k] != 0) expected.push_back(k);
+    for (std::uint8_t& flag : flags) flag = random.uniform() < 0.3 ? 1 : 0;
+    for (std::size_t begin = 0; begin <= n; ++begin)
+      for (std::size_t end = begin; end <= n; ++end) {
+        std::vector<std::size_t> expected, visited;
+        for (std::size_t k = begin; k < end; ++k)
+          if (flags[k] != 0) expected.push_back(k);
+        for_each_flag(flags, begin, end, [&](std::size_t k) { visited.push_back(k); });
+        ASSERT_EQ(visited, expected) << begin << " to " << end << " of " << n;
+      }
+  }
+}
+
+using Row = std::vector<std::tuple<std::int32_t, std::int32_t, std::uint8_t>>;
+
+Row row_of(const CandidateArrays& arrays, const CandidateSlot& slot) {
+  Row row;
+  for (std::size_t c = slot.begin; c < slot.begin + slot.count; ++c)
+    row.emplace_back(arrays.a[c], arrays.b[c], arrays.near[c]);
+  return row;
+}
+
+TEST(CandidateArrays, SlotsKeepTheirOwnWhileOthersAreReplaced) {
+  RandomStream random(9, 11);
+  CandidateArrays arrays;
+  std::vector<CandidateSlot> slots(20);
+  std::vector<Row> expected(20);
+  for (int trial = 0; trial < 2000; ++trial) {
+    const auto s = static_cast<std::size_t>(20.0 * random.uniform());
+    const std::size_t begin = arrays.count();
+    expected[s].clear();
+    for (int n = static_cast<int>(9.0 * random.uniform()); n > 0; --n) {
+      expected[s].emplace_back(trial, n, n % 2);
+      arrays.push(trial, n, static_cast<std::uint8_t>(n % 2));
     }
-    for_each_flag(flags, [&](std::size_t k) { visited.push_back(k); });
-    EXPECT_EQ(visited, expected);
+    arrays.put_last_into(slots[s], begin);
+    if (trial % 100 == 99) {
+      arrays.close_up(slots);
+      std::size_t all = 0;
+      for (const Row& row : expected) all += row.size();
+      EXPECT_EQ(arrays.count(), all);
+    }
+    for (std::size_t k = 0; k < slots.size(); ++k) ASSERT_EQ(row_of(arrays, slots[k]), expected[k]) << trial;
   }
 }
 
