@@ -59,6 +59,11 @@ class Simulation {
   [[nodiscard]] const Bodies& bodies() const { return bodies_; }
   [[nodiscard]] const ContactList& contacts() const { return contacts_; }
   [[nodiscard]] const ForceStep& laws() const { return force_step_; }
+  /// Those who make the steps, for other work between them.
+  [[nodiscard]] Crew& crew() {
+    crew_->admit();
+    return *crew_;
+  }
 
   std::vector<Wall> walls;  ///< may be added to and changed between steps
 

@@ -1,6 +1,7 @@
 #include "engine/slump/packing.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "engine/dynamics/cell_grid.hpp"
@@ -16,6 +17,7 @@ constexpr int kListsPerStretch = 50;  ///< before the column is stretched
 constexpr double kStretch = 1.05;
 constexpr int kMostStretches = 80;  ///< 50 times as high
 constexpr double kListSkin = 0.1;   ///< of the mean diameter
+constexpr std::size_t kBlock = 256;  ///< bodies that a thread takes at a time
 
 /// Where two spheres, or a sphere and a wall, come too near: n points from the other to the body.
 struct Touch {
@@ -25,11 +27,16 @@ struct Touch {
   Vec3 other_arm = Vec3::Zero();  ///< from the other's
 };
 
+/// Spheres of the two bodies of a pair that come near.
+struct NearSpheres {
+  Reaching i, j;
+};
+
 /// The particles while they are pushed about.
 class Pushing {
  public:
-  Pushing(const Particles& particles, std::span<const ParticleDraw> draws, double cylinder_radius)
-      : local_(particles.shapes), radius_(cylinder_radius), bodies_(draws.size()), axes_(draws.size()) {
+  Pushing(const Particles& particles, std::span<const ParticleDraw> draws, double cylinder_radius, Crew& crew)
+      : crew_(crew), local_(particles.shapes), radius_(cylinder_radius), bodies_(draws.size()), axes_(draws.size()) {
     double diameters = 0.0;
     for (std::size_t i = 0; i < draws.size(); ++i) {
       const Clump& shape = particles.shapes[static_cast<std::size_t>(draws[i].shape)];
@@ -57,41 +64,57 @@ class Pushing {
     }
   }
 
-  /// Whether no body overlaps another or a wall; the gap between them may be smaller than it should be.
-  [[nodiscard]] bool clear(std::span<const BodyPair> pairs) {
-    for (const BodyPair& pair : pairs)
-      if (touch_of(static_cast<std::size_t>(pair.i), static_cast<std::size_t>(pair.j)).depth >= gap())
-        return false;
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-      if (touch_of_floor(i).depth >= gap() || touch_of_side(i).depth >= gap()) return false;
-    return true;
-  }
-
-  /// One pass over all pairs and walls.
-  void push_apart(std::span<const BodyPair> pairs) {
-    for (const BodyPair& pair : pairs) {
-      const auto i = static_cast<std::size_t>(pair.i), j = static_cast<std::size_t>(pair.j);
-      const Touch touch = touch_of(i, j);
-      if (touch.depth <= 0.0) continue;
-      const double share =
-          touch.depth / (lightness(i, touch.arm, touch.n) + lightness(j, touch.other_arm, touch.n));
-      move(i, touch.arm, share * touch.n);
-      move(j, touch.other_arm, -share * touch.n);
-    }
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      push_off(i, touch_of_floor(i));
-      push_off(i, touch_of_side(i));
-    }
-  }
-
-  [[nodiscard]] std::vector<BodyPair> pairs() const {
+  /// Pairs that are near now, by layers. A pair belongs to the layer of its lower body.
+  void list() {
     std::vector<double> x, y, z;
     for (const NewBody& body : bodies_) {
       x.push_back(body.position.x());
       y.push_back(body.position.y());
       z.push_back(body.position.z());
     }
-    return near_pairs({x, y, z, reach_}, kListSkin * diameter_);
+    const double skin = kListSkin * diameter_;
+    const CellGrid grid({x, y, z, reach_}, skin);
+    std::vector<std::vector<BodyPair>> of_block(blocks());
+    crew_.each(blocks(), [&](std::size_t block) {
+      for (std::size_t i = block * kBlock; i < end_of(block); ++i) grid.append_pairs_of(i, of_block[block]);
+    });
+    const double height = 2.0 * *std::max_element(reach_.begin(), reach_.end()) + skin;
+    const double low = *std::min_element(z.begin(), z.end());
+    for (std::vector<BodyPair>& layer : layers_) layer.clear();
+    for (const std::vector<BodyPair>& pairs : of_block)
+      for (const BodyPair& pair : pairs) {
+        const double lower = std::min(z[static_cast<std::size_t>(pair.i)], z[static_cast<std::size_t>(pair.j)]);
+        const auto layer = static_cast<std::size_t>((lower - low) / height);
+        if (layer >= layers_.size()) layers_.resize(layer + 1);
+        layers_[layer].push_back(pair);
+      }
+  }
+
+  /// Whether no body overlaps another or a wall; the gap between them may be smaller than it should be.
+  [[nodiscard]] bool clear() {
+    std::atomic<bool> clear = true;
+    crew_.each(layers_.size(), [&](std::size_t layer) {
+      NearSpheres near;
+      for (const BodyPair& pair : layers_[layer]) {
+        if (!clear.load(std::memory_order_relaxed)) return;
+        if (touch_of(pair, near).depth >= gap()) clear = false;
+      }
+    });
+    for (std::size_t i = 0; i < bodies_.size() && clear; ++i)
+      clear = touch_of_floor(i).depth < gap() && touch_of_side(i).depth < gap();
+    return clear;
+  }
+
+  /// One pass over all pairs and walls.
+  void push_apart() {
+    for (const std::size_t odd : {std::size_t{0}, std::size_t{1}})
+      crew_.each((layers_.size() + 1 - odd) / 2, [&](std::size_t k) { push_apart(layers_[2 * k + odd]); });
+    crew_.each(blocks(), [&](std::size_t block) {
+      for (std::size_t i = block * kBlock; i < end_of(block); ++i) {
+        push_off(i, touch_of_floor(i));
+        push_off(i, touch_of_side(i));
+      }
+    });
   }
 
   void stretch() {
@@ -111,6 +134,23 @@ class Pushing {
 
  private:
   [[nodiscard]] double gap() const { return kPackingGap * diameter_; }
+  [[nodiscard]] std::size_t blocks() const { return (bodies_.size() + kBlock - 1) / kBlock; }
+  [[nodiscard]] std::size_t end_of(std::size_t block) const {
+    return std::min((block + 1) * kBlock, bodies_.size());
+  }
+
+  void push_apart(std::span<const BodyPair> pairs) {
+    NearSpheres near;
+    for (const BodyPair& pair : pairs) {
+      const Touch touch = touch_of(pair, near);
+      if (touch.depth <= 0.0) continue;
+      const auto i = static_cast<std::size_t>(pair.i), j = static_cast<std::size_t>(pair.j);
+      const double share =
+          touch.depth / (lightness(i, touch.arm, touch.n) + lightness(j, touch.other_arm, touch.n));
+      move(i, touch.arm, share * touch.n);
+      move(j, touch.other_arm, -share * touch.n);
+    }
+  }
 
   void place(std::size_t i) {
     const NewBody& body = bodies_[i];
@@ -146,7 +186,8 @@ class Pushing {
     place(i);
   }
 
-  [[nodiscard]] Touch touch_of(std::size_t i, std::size_t j) {
+  [[nodiscard]] Touch touch_of(const BodyPair& pair, NearSpheres& near) const {
+    const auto i = static_cast<std::size_t>(pair.i), j = static_cast<std::size_t>(pair.j);
     Touch touch;
     const Vec3 origin = bodies_[i].position, apart = bodies_[j].position - origin;
     const double bounds = reach_[i] + reach_[j] + gap();
@@ -155,19 +196,19 @@ class Pushing {
       found.find(local_, {bodies_[of].shape, axes_[of], bodies_[of].position}, bodies_[into].position,
                  reach_[into] + gap(), origin);
     };
-    find(i, j, near_i_);
-    if (near_i_.count == 0) return touch;
-    find(j, i, near_j_);
+    find(i, j, near.i);
+    if (near.i.count == 0) return touch;
+    find(j, i, near.j);
     const auto centre = [](const Reaching& of, std::size_t k) { return Vec3(of.x[k], of.y[k], of.z[k]); };
-    for_each_near(near_i_, near_j_, gap(), [&](std::size_t a, std::size_t b) {
-      const Vec3 between = centre(near_i_, a) - centre(near_j_, b);
+    for_each_near(near.i, near.j, gap(), [&](std::size_t a, std::size_t b) {
+      const Vec3 between = centre(near.i, a) - centre(near.j, b);
       const double distance = between.norm();
-      const double depth = near_i_.radius[a] + near_j_.radius[b] + gap() - distance;
+      const double depth = near.i.radius[a] + near.j.radius[b] + gap() - distance;
       if (depth <= touch.depth) return;
       touch.depth = depth;
       touch.n = distance > 0.0 ? Vec3(between / distance) : Vec3::UnitZ();
-      touch.arm = centre(near_i_, a) - near_i_.radius[a] * touch.n;
-      touch.other_arm = centre(near_j_, b) - apart + near_j_.radius[b] * touch.n;
+      touch.arm = centre(near.i, a) - near.i.radius[a] * touch.n;
+      touch.other_arm = centre(near.j, b) - apart + near.j.radius[b] * touch.n;
     });
     return touch;
   }
@@ -201,6 +242,7 @@ class Pushing {
     return touch;
   }
 
+  Crew& crew_;
   LocalSpheres local_;
   double radius_;
   std::vector<NewBody> bodies_;
@@ -210,22 +252,22 @@ class Pushing {
   std::vector<double> mass_;
   double volume_ = 0.0;    ///< of all particles [m³]
   double diameter_ = 0.0;  ///< mean [m]
-  Reaching near_i_, near_j_;
+  std::vector<std::vector<BodyPair>> layers_;
 };
 
 }  // namespace
 
 Packing pack_cylinder(const Particles& particles, std::span<const ParticleDraw> draws, double cylinder_radius,
-                      double fraction, RandomStream& random) {
-  Pushing pushing(particles, draws, cylinder_radius);
+                      double fraction, RandomStream& random, Crew& crew) {
+  Pushing pushing(particles, draws, cylinder_radius, crew);
   pushing.scatter(fraction, random);
   Packing packing;
   for (int stretch = 0; stretch < kMostStretches && !packing.clear; ++stretch) {
     if (stretch > 0) pushing.stretch();
     for (int list = 0; list < kListsPerStretch && !packing.clear; ++list) {
-      const std::vector<BodyPair> pairs = pushing.pairs();
-      packing.clear = pushing.clear(pairs);
-      for (int sweep = 0; sweep < kSweepsPerList && !packing.clear; ++sweep) pushing.push_apart(pairs);
+      pushing.list();
+      packing.clear = pushing.clear();
+      for (int sweep = 0; sweep < kSweepsPerList && !packing.clear; ++sweep) pushing.push_apart();
     }
   }
   packing.top = pushing.top();

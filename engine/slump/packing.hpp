@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/crew.hpp"
 #include "engine/base/random.hpp"
 #include "engine/dynamics/bodies.hpp"
 #include "engine/scene/scene.hpp"
@@ -27,9 +28,14 @@ struct Packing {
 /// volume). The column is open at its top, so that bodies find room; where they do not, it is stretched
 /// upwards. A gap of kGap diameters is kept on the way, so that what is left of the overlaps at the end is
 /// none: contacts of stiff particles would drive them apart.
+///
+/// Pairs are taken layer by layer, first those of every other layer, then the rest. Layers are so high that a
+/// pair lies in two neighbouring ones, so that those of one go share no body and may be worked through at the
+/// same time.
 /// @param fraction  solid volume over the column's, 0 … 0.6; the result is at most as dense
+/// @param crew      its members work together; the result does not depend on them, to the last bit
 Packing pack_cylinder(const Particles& particles, std::span<const ParticleDraw> draws, double cylinder_radius,
-                      double fraction, RandomStream& random);
+                      double fraction, RandomStream& random, Crew& crew);
 
 /// Gap that pack_cylinder() aims at, over the mean diameter of the particles.
 inline constexpr double kPackingGap = 0.01;

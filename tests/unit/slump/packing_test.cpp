@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <thread>
 
 #include "engine/scene/names.hpp"
 #include "engine/slump/slump_test.hpp"
@@ -73,7 +74,8 @@ TEST_P(PackingOf, LeavesNoOverlapAndKeepsItsFraction) {
   const std::vector<ParticleDraw> draws = draw_particles(particles, sizes);
   for (const double fraction : {0.25, 0.5}) {
     RandomStream random(3, 2);
-    const Packing packing = pack_cylinder(particles, draws, GetParam().radius, fraction, random);
+    Crew alone;
+    const Packing packing = pack_cylinder(particles, draws, GetParam().radius, fraction, random, alone);
     ASSERT_TRUE(packing.clear);
     ASSERT_EQ(packing.bodies.size(), draws.size());
     EXPECT_GE(smallest_gap(placed(particles, packing), GetParam().radius), 0.0);
@@ -89,6 +91,32 @@ TEST_P(PackingOf, LeavesNoOverlapAndKeepsItsFraction) {
 INSTANTIATE_TEST_SUITE_P(Shapes, PackingOf, testing::ValuesIn(packing_cases()),
                          [](const auto& info) { return std::string(info.param.name); });
 
+TEST(Packing, IsTheSameForAnyNumberOfThreads) {
+  Particles particles;
+  particles.material = kGlass;
+  RandomStream shapes(7, 1);
+  particles.shapes = {random_clump(shapes, 8, 4e-3), sphere_clump(3e-3)};
+  particles.total_mass = 0.5;  // some hundred bodies in a dozen layers
+  RandomStream sizes(2, 1);
+  const std::vector<ParticleDraw> draws = draw_particles(particles, sizes);
+  const auto pack = [&](int helpers) {
+    Crew crew(helpers);
+    while (crew.joined() < helpers) std::this_thread::yield();
+    crew.admit();
+    RandomStream random(3, 2);
+    return pack_cylinder(particles, draws, 0.03, 0.45, random, crew);
+  };
+  const Packing alone = pack(0);
+  ASSERT_TRUE(alone.clear);
+  for (const int helpers : {1, 2, 3}) {
+    const Packing together = pack(helpers);
+    for (std::size_t i = 0; i < draws.size(); ++i) {
+      ASSERT_EQ(together.bodies[i].position, alone.bodies[i].position) << i;
+      ASSERT_EQ(together.bodies[i].orientation.coeffs(), alone.bodies[i].orientation.coeffs()) << i;
+    }
+  }
+}
+
 TEST(Packing, FillsTheCylinderEvenly) {
   // Mean of (ρ/R)² over an even filling is ½ (R less a radius: half of (1 − r/R)²); of z it is half the
   // height. 500 spheres: four standard errors of ρ² (√(1/12)/√n) are 0.05, of z the same of the height.
@@ -98,7 +126,8 @@ TEST(Packing, FillsTheCylinderEvenly) {
   particles.total_mass = 500.0 * kGlass.density * particles.shapes.front().volume;
   RandomStream sizes(2, 1), random(5, 2);
   const auto draws = draw_particles(particles, sizes);
-  const Packing packing = pack_cylinder(particles, draws, 0.04, 0.25, random);
+  Crew alone;
+  const Packing packing = pack_cylinder(particles, draws, 0.04, 0.25, random, alone);
   double square = 0.0, height = 0.0;
   for (const NewBody& body : packing.bodies) {
     square += std::pow(std::hypot(body.position.x(), body.position.y()) / 0.037, 2);
