@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <span>
 
 #include "engine/dynamics/force_kernels.hpp"
@@ -14,10 +15,28 @@ struct SectionTally {
   std::size_t pairs_touching = 0, walls_touching = 0;
 };
 
-/// Sections first … last − 1.
+/// Sections first … last − 1, of which one member does a part of the step.
 struct SectionRow {
   std::size_t first = 0, last = 0;
+  double work = 0.0;   ///< what a step of it is thought to take, when it was dealt out [s]
+  double taken = 0.0;  ///< what steps since have taken [s]
+  double price = 1.0;  ///< what its work takes over what that of all takes, as far as is known
   [[nodiscard]] bool empty() const { return first == last; }
+};
+
+/// Adds the time of a block to SectionRow::taken.
+class RowTimer {
+ public:
+  explicit RowTimer(SectionRow& row) : row_(row) {}
+  ~RowTimer() {
+    row_.taken += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+  RowTimer(const RowTimer&) = delete;
+  RowTimer& operator=(const RowTimer&) = delete;
+
+ private:
+  SectionRow& row_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
 /// What one member of a crew does in a step, with room to work.
@@ -30,7 +49,8 @@ struct Share {
 };
 
 /// Deals all sections out as neighbours, pairs and motion each for itself, since members meet between them:
-/// with about the same work for each share by what the last step found.
+/// with about the same work for each share by what the last step found, and by what steps have taken since
+/// the last deal.
 /// @param tallies  of the last step, one a section; a section that is new may have none yet
 void deal_out(std::span<const Section> sections, std::span<const SectionTally> tallies,
               std::span<Share> shares);

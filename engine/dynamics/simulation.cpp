@@ -72,8 +72,12 @@ bool Simulation::step() {
   const auto share = [this](int k) -> Share& { return shares_[static_cast<std::size_t>(k)]; };
 
   crew_->share([&](int k) { place_spheres(share(k)); });
-  crew_->share([&](int k) { pair_forces(share(k)); });
   crew_->share([&](int k) {
+    const RowTimer timer(share(k).pairs);
+    pair_forces(share(k));
+  });
+  crew_->share([&](int k) {
+    const RowTimer timer(share(k).motion);
     for (const Share& from : shares_) take_loads(share(k), from);
     move(share(k));
   });
