@@ -30,6 +30,12 @@ void CandidateArrays::close_up(std::span<CandidateSlot> slots) {
   *this = std::move(closed);
 }
 
+bool CandidateArrays::is_loose(std::span<const CandidateSlot> slots) const {
+  std::size_t used = 0;
+  for (const CandidateSlot& slot : slots) used += slot.room;
+  return count() > 2 * used;
+}
+
 void CandidateArrays::append(const CandidateArrays& from, const CandidateSlot& slot) {
   const auto copy = [&](const auto& source, auto& to) {
     to.insert(to.end(), source.begin() + slot.begin, source.begin() + slot.begin + slot.count);

@@ -55,6 +55,8 @@ struct CandidateArrays {
   void put_last_into(CandidateSlot& slot, std::size_t begin);
   /// Brings the candidates into the order of their slots, and leaves out what belongs to none.
   void close_up(std::span<CandidateSlot> slots);
+  /// Whether most of the arrays belongs to none of the slots.
+  [[nodiscard]] bool is_loose(std::span<const CandidateSlot> slots) const;
   void append(const CandidateArrays& from, const CandidateSlot& slot);
   /// `near` of the candidates first … first + n − 1, n ≤ 8, from the lowest bits.
   void set_near(std::size_t first, std::size_t n, unsigned bits) {

@@ -22,10 +22,13 @@ namespace repose {
 ///
 /// What bounds a body's motion is Bodies::travel, the path of its fastest point. At each level a body may
 /// travel its share of a gap before it is looked at again, and two bodies cannot meet before one of them has
-/// used up its share of the gap between them:
+/// used up its share of the gap between them. Of a body that has, those pairs are found anew whose two may by
+/// then have moved against each other by more than their lists allow (Tether): most neighbours in a flow go
+/// the same way.
 ///
 /// 1: a share is skins.bodies/2; all bodies are listed at once.
-/// 2: a share is skins.spheres/2; a body that has used it up is listed anew with all its pairs.
+/// 2: a share is skins.spheres/4; the candidates of a pair are right while the two have moved against each
+///    other by skins.spheres, and those at walls while the body has travelled skins.spheres/2.
 /// 3: a share is what the body travels in some steps at its present pace. A candidate is near unless its
 ///    gap is beyond what both bodies have left of their shares. At rest a look lasts thousands of steps.
 ///
@@ -89,7 +92,8 @@ class ContactList {
 
  private:
   /// What a body may travel before it is looked at again, as a value of Bodies::travel [m]; +∞ behind the
-  /// last body, −1 for a new one. near ≤ spheres ≤ bodies.
+  /// last body, −1 for a new one. `walls`: until its candidates at walls are found anew. near ≤ spheres ≤
+  /// bodies, walls.
   struct Until {
     std::vector<double> bodies, spheres, walls, near;
     void resize(std::size_t count, std::size_t padded);

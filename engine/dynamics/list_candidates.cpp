@@ -92,7 +92,7 @@ void ContactList::list_pairs(const Bodies& bodies, bool all, Section& section) {
     is_looked_[i] = 1;
     section.changed = true;
   }
-  if (all) lists.pairs.close_up(lists.pair_slots);
+  if (all || lists.pairs.is_loose(lists.pair_slots)) lists.pairs.close_up(lists.pair_slots);
 }
 
 bool ContactList::in_reach(const Bodies& bodies, const BodyPair& pair) const {
@@ -129,7 +129,7 @@ void ContactList::list_walls(const Bodies& bodies, std::span<const Wall> walls, 
     is_looked_[i] = 1;
     section.changed = true;
   }
-  if (all) lists.walls.close_up(lists.wall_slots);
+  if (all || lists.walls.is_loose(lists.wall_slots)) lists.walls.close_up(lists.wall_slots);
 }
 
 /// Sorted by sphere and wall.

@@ -156,6 +156,7 @@ TEST(CandidateArrays, SlotsKeepTheirOwnWhileOthersAreReplaced) {
     arrays.put_last_into(slots[s], begin);
     if (trial % 100 == 99) {
       arrays.close_up(slots);
+      EXPECT_FALSE(arrays.is_loose(slots));
       std::size_t all = 0;
       for (const Row& row : expected) all += row.size();
       EXPECT_EQ(arrays.count(), all);
