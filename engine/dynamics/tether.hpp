@@ -43,8 +43,8 @@ class Tether {
                      now.apart.y() - static_cast<double>(apart_[1]),
                      now.apart.z() - static_cast<double>(apart_[2]));
     constexpr double kRounded = std::numeric_limits<float>::epsilon();
-    const double rounded =
-        kRounded * (std::abs(now.apart.x()) + std::abs(now.apart.y()) + std::abs(now.apart.z()) + now.swung);
+    const double rounded = kRounded * (std::abs(now.apart.x()) + std::abs(now.apart.y()) +
+                                       std::abs(now.apart.z()) + std::abs(static_cast<double>(limit_)));
     const double left = static_cast<double>(limit_) - now.swung - further - rounded;
     return left >= 0.0 && moved.squaredNorm() <= left * left;
   }

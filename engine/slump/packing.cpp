@@ -15,9 +15,10 @@ namespace {
 constexpr int kSweepsPerList = 4;     ///< over the pairs before they are listed anew
 constexpr int kListsPerStretch = 50;  ///< before the column is stretched
 constexpr double kStretch = 1.05;
-constexpr int kMostStretches = 80;  ///< 50 times as high
-constexpr double kListSkin = 0.1;   ///< of the mean diameter
+constexpr int kMostStretches = 80;   ///< 50 times as high
+constexpr double kListSkin = 0.1;    ///< of the mean diameter
 constexpr std::size_t kBlock = 256;  ///< bodies that a thread takes at a time
+constexpr double kMostLayers = 1e4;  ///< the last one holds all above
 
 /// Where two spheres, or a sphere and a wall, come too near: n points from the other to the body.
 struct Touch {
@@ -36,7 +37,11 @@ struct NearSpheres {
 class Pushing {
  public:
   Pushing(const Particles& particles, std::span<const ParticleDraw> draws, double cylinder_radius, Crew& crew)
-      : crew_(crew), local_(particles.shapes), radius_(cylinder_radius), bodies_(draws.size()), axes_(draws.size()) {
+      : crew_(crew),
+        local_(particles.shapes),
+        radius_(cylinder_radius),
+        bodies_(draws.size()),
+        axes_(draws.size()) {
     double diameters = 0.0;
     for (std::size_t i = 0; i < draws.size(); ++i) {
       const Clump& shape = particles.shapes[static_cast<std::size_t>(draws[i].shape)];
@@ -83,8 +88,9 @@ class Pushing {
     for (std::vector<BodyPair>& layer : layers_) layer.clear();
     for (const std::vector<BodyPair>& pairs : of_block)
       for (const BodyPair& pair : pairs) {
-        const double lower = std::min(z[static_cast<std::size_t>(pair.i)], z[static_cast<std::size_t>(pair.j)]);
-        const auto layer = static_cast<std::size_t>((lower - low) / height);
+        const double lower =
+            std::min(z[static_cast<std::size_t>(pair.i)], z[static_cast<std::size_t>(pair.j)]);
+        const auto layer = static_cast<std::size_t>(std::min(kMostLayers, (lower - low) / height));
         if (layer >= layers_.size()) layers_.resize(layer + 1);
         layers_[layer].push_back(pair);
       }
