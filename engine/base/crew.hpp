@@ -83,8 +83,8 @@ class Crew {
   std::vector<std::thread> own_;
 };
 
-// Work has one piece of machine code, whoever calls it: a copy that the compiler puts into its caller may join
-// other products and sums into one rounding, and give other bits to one thread than to two.
+// Work has one piece of machine code, whoever calls it: a copy that the compiler puts into its caller may
+// join other products and sums into one rounding, and give other bits to one thread than to two.
 
 template <class Work, class K>
 [[gnu::noinline, gnu::noclone]] void call_alike(Work& work, K k) {

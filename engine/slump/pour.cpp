@@ -65,8 +65,9 @@ void Pour::place_all(Simulation& simulation) {
   no_room_ = total_mass_ / scene_.particles.material.density > inside;
   if (no_room_) return;
   const bool rain = test.filling == Filling::rain;
-  const Packing packing = pack_cylinder(scene_.particles, particles_, test.cylinder_radius,
-                                        rain ? kRainFraction : kPackingFraction, placement_, simulation.crew());
+  const Packing packing =
+      pack_cylinder(scene_.particles, particles_, test.cylinder_radius,
+                    rain ? kRainFraction : kPackingFraction, placement_, simulation.crew());
   no_room_ = !packing.clear;
   if (no_room_) return;
   std::vector<Vec3> places;
