@@ -24,7 +24,10 @@ void CandidateArrays::close_up(std::span<CandidateSlot> slots) {
   CandidateArrays closed;
   for (CandidateSlot& slot : slots) {
     const std::size_t begin = closed.count();
-    closed.append(*this, slot);
+    const auto copy = [&](const auto& from, auto& to) {
+      to.insert(to.end(), from.begin() + slot.begin, from.begin() + slot.begin + slot.count);
+    };
+    copy(a, closed.a), copy(b, closed.b), copy(near, closed.near);
     slot = closed.slot_from(begin);
   }
   *this = std::move(closed);
@@ -34,13 +37,6 @@ bool CandidateArrays::is_loose(std::span<const CandidateSlot> slots) const {
   std::size_t used = 0;
   for (const CandidateSlot& slot : slots) used += slot.room;
   return count() > 2 * used;
-}
-
-void CandidateArrays::append(const CandidateArrays& from, const CandidateSlot& slot) {
-  const auto copy = [&](const auto& source, auto& to) {
-    to.insert(to.end(), source.begin() + slot.begin, source.begin() + slot.begin + slot.count);
-  };
-  copy(from.a, a), copy(from.b, b), copy(from.near, near);
 }
 
 void NearList::make_room(std::size_t entries) {

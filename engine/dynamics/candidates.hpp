@@ -57,7 +57,6 @@ struct CandidateArrays {
   void close_up(std::span<CandidateSlot> slots);
   /// Whether most of the arrays belongs to none of the slots.
   [[nodiscard]] bool is_loose(std::span<const CandidateSlot> slots) const;
-  void append(const CandidateArrays& from, const CandidateSlot& slot);
   /// `near` of the candidates first … first + n − 1, n ≤ 8, from the lowest bits.
   void set_near(std::size_t first, std::size_t n, unsigned bits) {
     for (std::size_t k = 0; k < n; ++k) near[first + k] = (bits >> k) & 1U;

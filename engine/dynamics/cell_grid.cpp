@@ -69,11 +69,4 @@ void CellGrid::append_pairs_of(std::size_t i, std::vector<BodyPair>& pairs) cons
   std::sort(pairs.begin() + first_pair, pairs.end());
 }
 
-std::vector<BodyPair> near_pairs(const SearchSpheres& spheres, double skin) {
-  const CellGrid grid(spheres, skin);
-  std::vector<BodyPair> pairs;
-  for (std::size_t i = 0; i < spheres.size(); ++i) grid.append_pairs_of(i, pairs);
-  return pairs;
-}
-
 }  // namespace repose

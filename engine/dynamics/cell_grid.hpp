@@ -45,7 +45,4 @@ class CellGrid {
   std::vector<int> begin_, order_;
 };
 
-/// All pairs of a CellGrid, each once, sorted.
-std::vector<BodyPair> near_pairs(const SearchSpheres& spheres, double skin);
-
 }  // namespace repose

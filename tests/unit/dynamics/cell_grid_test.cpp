@@ -9,6 +9,14 @@
 namespace repose {
 namespace {
 
+/// All pairs of a grid, each once, sorted.
+std::vector<BodyPair> near_pairs(const SearchSpheres& spheres, double skin) {
+  const CellGrid grid(spheres, skin);
+  std::vector<BodyPair> pairs;
+  for (std::size_t i = 0; i < spheres.size(); ++i) grid.append_pairs_of(i, pairs);
+  return pairs;
+}
+
 struct Cloud {
   std::vector<double> x, y, z, radius;
   void add(double px, double py, double pz, double r) {
