@@ -56,8 +56,9 @@ struct ContactHistory {
 /// its two ends times v: exact for a linear spring, where this step's force alone would take ½ S (v Δt)² too
 /// much each time. The dampers' force f is of this step and acts from the middle of the last interval to that
 /// of the next, over which the mean velocity is v + lag F/m, with ContactTiming::lag. F/m is taken of this
-/// contact alone, m* along the normal and 2/7 m* (two solid spheres) along the tangent; what the other
-/// contacts of the bodies add averages out.
+/// contact alone, m* along the normal and 2/7 m* (two solid spheres) along the tangent: 1/m* of the centres
+/// and 2.5/m* of the spins. Of the latter type_a's resistance takes back the part that its torque is of the
+/// tangential force's, min(1, μr |F_n|/|F_t|). What the other contacts of the bodies add averages out.
 template <class T>
 struct ContactPower {
   T normal_damping, tangential_damping;
@@ -81,6 +82,16 @@ struct ContactForces {
   T F_n;                     ///< total normal force, positive repulsive [N]
   ContactPower<T> power;
 };
+
+/// By how much more than its centres of mass the surfaces of a pair yield to a tangential force, with
+/// ContactPower's derivation.
+template <RollingModel kModel, class T>
+REPOSE_INLINE T tangential_yield(const LawParameters& law, const T& F_n, const Triple<T>& F_t) {
+  if constexpr (kModel != RollingModel::type_a) return 3.5;
+  constexpr double kNone = 1e-60;  // [N]
+  const T size = length(F_t), resisted = smaller(T(law.rolling * absolute(F_n)), size);
+  return 3.5 - 2.5 * resisted / select(size > kNone, size, T(1.0));
+}
 
 /// Force and rolling torque of one contact, and its history brought to this step. type_a's torque, which
 /// depends on each body's own ω, is not here: the integrator applies it from Σ μr |F_n| R_i
@@ -124,8 +135,8 @@ REPOSE_INLINE ContactForces<T> contact_forces(const LawParameters& law, const Co
   result.F_n = normal.total;
   if (timing.booked) {
     const T per_mass = timing.lag * contact.inverse_m_eff;
-    const T damped =
-        dot(tangent.damping, v_tangent_damped) + 3.5 * per_mass * dot(tangent.damping, tangent.total);
+    const T yield = per_mass * tangential_yield<kModel>(law, normal.total, tangent.total);
+    const T damped = dot(tangent.damping, v_tangent_damped) + yield * dot(tangent.damping, tangent.total);
     result.power.normal_damping =
         (normal.elastic - normal.total) * (v_normal_damped + per_mass * normal.total);
     result.power.tangential_damping = select(tangent.kept < 1.0, T(0.0), damped);

@@ -45,7 +45,7 @@ void measure(RunResult& result, const Scene& scene, const SlumpTestRun& test) {
 
 }  // namespace
 
-std::string engine_version() { return std::string("8-") + instruction_set(); }
+std::string engine_version() { return std::string("9-") + instruction_set(); }
 
 std::string run_key(const Scene& scene, std::uint64_t seed) {
   return digest(canonical_text(scene) + "\nseed " + std::to_string(seed) + "\nengine " + engine_version());

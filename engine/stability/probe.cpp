@@ -31,17 +31,6 @@ Failure judge(const Probe& probe, const Tolerance& tolerance) {
   return Failure::none;
 }
 
-namespace {
-
-double invented(const EnergyLedger& before, const EnergyLedger& now, const Watched& watched) {
-  const double all = now.imbalance() - before.imbalance();
-  if (!watched.stands_by_type_a) return all;
-  const double without = all - (now.rolling_resistance - before.rolling_resistance);
-  return std::abs(without) < std::abs(all) ? without : all;
-}
-
-}  // namespace
-
 Probe watch_steps(Simulation& simulation, const Watched& watched) {
   Probe probe;
   probe.step = simulation.dt();
@@ -58,7 +47,7 @@ Probe watch_steps(Simulation& simulation, const Watched& watched) {
       }
     // Contacts that stand at the beginning are found by the first step.
     if (done == 1) before = simulation.ledger();
-    const double error = invented(before, simulation.ledger(), watched) / watched.energy;
+    const double error = (simulation.ledger().imbalance() - before.imbalance()) / watched.energy;
     if (!(std::abs(error) <= std::abs(probe.energy_error))) probe.energy_error = error;
     probe.overlap = std::max(probe.overlap, simulation.survey().largest_overlap / watched.overlap);
     if (!(std::abs(probe.energy_error) <= kHopeless)) break;

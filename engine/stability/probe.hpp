@@ -47,10 +47,6 @@ struct Watched {
   double look_interval = 0.0;  ///< [s]; at least a step
   double energy = 0.0;         ///< what the imbalance is compared with [J]
   double overlap = 0.0;        ///< the sound motion's deepest overlap over the smaller radius [-]
-  /// Bodies that stand by type_a. Rolling resistance can take hardly anything of them, yet the ledger books
-  /// what contacts turn a body by in a step and type_a stops in the same step. What was invented lies between
-  /// the imbalance without it and with it; the one nearer to 0 counts.
-  bool stands_by_type_a = false;
   Tolerance tolerance;
   const std::atomic<bool>* stop = nullptr;
 };

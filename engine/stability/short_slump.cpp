@@ -140,7 +140,6 @@ Experiment column_experiment(const SettledColumn& column, const Scene& scene, co
                                     .look_interval = hold / 100.0,
                                     .energy = column.elastic_energy,
                                     .overlap = column.largest_overlap,
-                                    .stands_by_type_a = scene.contact.rolling_model == RollingModel::type_a,
                                     .tolerance = tolerance,
                                     .stop = stop});
   };

@@ -34,8 +34,8 @@ struct SettledColumn {
 SettledColumn settle_column(const Scene& shortened, std::uint64_t seed, const std::atomic<bool>* stop);
 
 /// The settled column goes on standing, with the scene's own method and at another step, for kHold times the
-/// column's √(m/ΣK). Its tangential springs begin anew. The energy error is over the column's elastic energy
-/// (by type_a as Watched::stands_by_type_a says); overlaps are compared with those at rest.
+/// column's √(m/ΣK). Its tangential springs begin anew. The energy error is over the column's elastic energy;
+/// overlaps are compared with those at rest.
 Experiment column_experiment(const SettledColumn& column, const Scene& scene, const Tolerance& tolerance,
                              const std::atomic<bool>* stop);
 inline constexpr double kHold = 2000.0;

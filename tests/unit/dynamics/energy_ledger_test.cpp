@@ -76,6 +76,26 @@ TEST(EnergyLedger, GivesARollingSpheresEnergyToRollingResistance) {
   EXPECT_NEAR(ledger.relative_imbalance(), 0.0, 1e-3);
 }
 
+// A body that rests on a sphere of it beside its centre of mass, held upright by type A: in every step its
+// weight turns it by m g d Δt/I and resistance stops it, which takes nothing, for nothing was put in. As if
+// resistance followed on the weight it would take ½ Δt (m g d)²/I a second; 1 % of that for what is left of
+// the fall's motion.
+TEST(EnergyLedger, BooksNothingForSpinThatTypeAStopsInTheStepThatGivesIt) {
+  const Clump clump = summed_clump({{Vec3::Zero(), kRadius}, {{kRadius, 0.0, kRadius}, kRadius / 3.0}});
+  Simulation simulation(scene_of({clump}, kGlass, {0.3, 0.8, 0.2}), 1e-5);
+  simulation.walls = {floor_wall()};
+  const Vec3 foot = clump.spheres.front().centre;
+  simulation.add(moving_sphere({0.0, 0.0, kRadius - foot.z()}, Vec3::Zero()));
+  run(simulation, 0.3);
+  const double before = simulation.ledger().rolling_resistance;
+  run(simulation, 1.0);
+  const double d = foot.x(), m = kGlass.density * clump.volume, I = kGlass.density * clump.inertia.minCoeff();
+  const double followed = 0.5 * simulation.dt() * std::pow(m * kGravity * d, 2) / I;
+  EXPECT_GT(std::abs(d), 0.02 * kRadius);
+  EXPECT_LT(simulation.bodies().angular_velocity(0).norm(), 1e-9);
+  EXPECT_NEAR(simulation.ledger().rolling_resistance, before, 1e-2 * followed);
+}
+
 // A wall that runs into a sphere at rest brings it to (1 + e) V; its work is the momentum times V.
 TEST(EnergyLedger, CountsTheWorkOfAMovingWall) {
   const double e = 0.5, V = 1.0, m = mass_of_sphere();

@@ -179,6 +179,19 @@ TEST(LargeSteps, AreWarnedOfThenUnstableThenThroughTheWallsAndNeverGiveAnAngle) 
   EXPECT_GE(energy_errors, 2);
 }
 
+/// Type A stops spin in the step in which contacts give it, and nothing is lost by that: the ledger is off by
+/// the other errors of first order in the step, −2.5 to −2.9 % here. (Booked as a loss it was +8 %, and the
+/// article's test with clumps of 8 ended `unstable`.)
+TEST(LargeSteps, KeepTheLedgerClosedWhereTypeAHoldsTheHeap) {
+  Scene scene = sound_scene();
+  scene.contact.particle_particle = {0.3, 0.8, 0.3};
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const RunResult result = run_slump_test(scene, seed);
+    EXPECT_EQ(result.outcome, Outcome::completed) << result.reason;
+    EXPECT_LT(std::abs(result.energy.relative_imbalance()), 0.04) << seed;
+  }
+}
+
 /// A heap that looks well (17°, overlaps as always) in which each contact that sticks makes energy: only the
 /// ledger sees.
 TEST(LargeSteps, ArePickedUpByTheLedgerWhereFrictionAboveOneHoldsContactsTogether) {
