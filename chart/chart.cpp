@@ -29,7 +29,7 @@ Samples samples_of(const sweep::Plan& plan, std::size_t rung, const RunsByKey& r
   for (const sweep::PlannedPoint& point : plan.points) {
     if (point.rung != rung) continue;
     std::vector<Sample>& set = samples.emplace_back();
-    for (int replicate = 1; replicate <= plan.design.replicates; ++replicate) {
+    for (int replicate = 1; replicate <= plan.design.ladder.replicates_of(rung); ++replicate) {
       const auto found = runs.find(run_key(point.scene, seed_of(plan.design, point.values, replicate)));
       if (found == runs.end()) throw std::runtime_error("a run of the chart is missing in its study");
       set.push_back(sample_of(found->second));
@@ -81,6 +81,7 @@ Chart read_chart(const std::filesystem::path& folder) {
   for (const std::vector<double>& values : ladder.frictions)
     chart.frictions.push_back(words_of(ladder.friction_names, values));
   chart.replicates = ladder.replicates;
+  chart.rung_replicates = ladder.rung_replicates;
   chart.reference_variant = anywhere(ladder.reference, study.document);
   for (const sweep::Variant& rung : ladder.rungs) chart.variants.push_back(anywhere(rung, study.document));
   const Samples reference = samples_of(plan, 0, runs);

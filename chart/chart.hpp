@@ -16,7 +16,8 @@ namespace repose::chart {
 struct Chart {
   std::string title;
   std::vector<std::string> frictions;  ///< "mu_r = 0.05, mu_s = 0.2"
-  int replicates = 0;
+  int replicates = 0;                  ///< of the reference with a set
+  int rung_replicates = 0;             ///< of a rung with a set
   sweep::Variant reference_variant;
   std::vector<sweep::Variant> variants;  ///< of the rungs
   /// Of the reference: the mean angle of each set of frictions, empty where a run did not complete.

@@ -90,7 +90,10 @@ Json to_json(const Comparison& rung, const sweep::Variant& variant) {
 }
 
 Json to_json(const Chart& chart) {
-  Json json = {{"title", chart.title}, {"frictions", chart.frictions}, {"replicates", chart.replicates}};
+  Json json = {{"title", chart.title},
+               {"frictions", chart.frictions},
+               {"replicates", chart.replicates},
+               {"rung_replicates", chart.rung_replicates}};
   json["reference"] = {{"set", set_of(chart.reference_variant)},
                        {"outcomes", chart.reference_outcomes},
                        {"cpu_s", chart.reference_cpu},

@@ -2,23 +2,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace repose::chart {
 
 namespace {
 
-template <class Visit>
-void for_each_pair(const Samples& test, const Samples& reference, Visit visit) {
-  for (std::size_t set = 0; set < test.size(); ++set)
-    for (std::size_t run = 0; run < test[set].size(); ++run) visit(set, test[set][run], reference[set][run]);
+/// @param difference  of the test's response, a mean where it has more runs, and the reference's
+template <class Difference>
+Differences differences_of(const Samples& test, const Samples& reference, double Sample::*response,
+                           Difference difference) {
+  Differences differences(test.size());
+  for (std::size_t set = 0; set < test.size(); ++set) {
+    const std::size_t pairs = reference[set].size(), runs = test[set].size();
+    for (std::size_t pair = 0; pair < pairs; ++pair) {
+      double sum = 0.0;
+      for (std::size_t run = pair; run < runs; run += pairs) sum += test[set][run].*response;
+      const double mean = sum * static_cast<double>(pairs) / static_cast<double>(runs);
+      differences[set].push_back(difference(mean, reference[set][pair].*response));
+    }
+  }
+  return differences;
 }
 
 Estimate relative_percent(const Samples& test, const Samples& reference, double Sample::*response) {
-  Differences differences(test.size());
-  for_each_pair(test, reference, [&](std::size_t set, const Sample& one, const Sample& other) {
-    differences[set].push_back(100.0 * (one.*response / other.*response - 1.0));
-  });
-  return judge(differences).mean;
+  const auto percent = [](double one, double other) { return 100.0 * (one / other - 1.0); };
+  return judge(differences_of(test, reference, response, percent)).mean;
 }
 
 }  // namespace
@@ -52,11 +61,7 @@ double scatter_of_angle(const Samples& samples) {
 }
 
 Differences angle_differences(const Samples& test, const Samples& reference) {
-  Differences differences(test.size());
-  for_each_pair(test, reference, [&](std::size_t set, const Sample& one, const Sample& other) {
-    differences[set].push_back(one.angle - other.angle);
-  });
-  return differences;
+  return differences_of(test, reference, &Sample::angle, std::minus{});
 }
 
 Comparison compare(const std::string& name, const Samples& test, const Samples& reference) {

@@ -32,7 +32,10 @@ std::map<std::string, int> outcomes_of(const Samples& samples);
 double mean_cpu(const Samples& samples);
 /// Standard deviation of the angle from run to run, within the sets [degrees]. All runs are completed.
 double scatter_of_angle(const Samples& samples);
-/// Angle of the one minus that of the other, run by run [degrees]. All runs are completed.
+/// Angle of the one minus that of the other, run by run [degrees]. All runs are completed. Where the test has
+/// m times as many runs as the reference's n, the mean of its runs k, k + n, k + 2 n, … is compared with the
+/// reference's run k: the scatter of the differences then is that of one run of the reference and m of the
+/// test.
 Differences angle_differences(const Samples& test, const Samples& reference);
 
 /// A rung against the reference. Of a rung with a run that did not complete only name, outcomes, reason and
@@ -50,7 +53,8 @@ struct Comparison {
   bool on_front = false;  ///< no other rung, nor the reference, is both cheaper and nearer
 };
 
-/// Requires that all runs of the reference completed and both have the same sets and replicates.
+/// Requires that all runs of the reference completed and both have the same sets, and the rung a multiple
+/// of the reference's replicates.
 Comparison compare(const std::string& name, const Samples& test, const Samples& reference);
 
 /// Marks the Pareto front of cost against error. The reference, of cost `reference_cpu` and error 0, takes

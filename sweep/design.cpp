@@ -93,7 +93,7 @@ std::vector<DesignPoint> rungs_and_frictions(const Design& design) {
   std::vector<DesignPoint> points;
   for (std::size_t rung = 0; rung <= design.ladder.rungs.size(); ++rung)
     for (const Values& values : design.ladder.frictions)
-      points.push_back({values, one_to(design.replicates), rung});
+      points.push_back({values, one_to(design.ladder.replicates_of(rung)), rung});
   return points;
 }
 

@@ -177,8 +177,10 @@ class DesignReader {
     for (const std::string& name : design.ladder.friction_names)
       if (factor_pointer(name))
         add_factor(name, document_.source("/chart/frictions"), "/chart/frictions", design.factors, faults_);
-    const auto runs = static_cast<double>((design.ladder.rungs.size() + 1) * design.ladder.frictions.size()) *
-                      design.replicates;
+    const Ladder& ladder = design.ladder;
+    const double runs =
+        static_cast<double>(ladder.frictions.size()) *
+        (ladder.replicates + static_cast<double>(ladder.rungs.size()) * ladder.rung_replicates);
     if (runs > kMostRuns)
       faults_.add(document_.source("/chart"), "/chart", fmt::format("{:.0f} runs", runs),
                   fmt::format("must be at most {:.0f}", kMostRuns));

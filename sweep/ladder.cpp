@@ -32,11 +32,16 @@ class LadderReader {
       fault(kChart, chart == nullptr ? "is missing: the case has no ladder to chart" : "must be an object");
       return ladder;
     }
-    check_keys(kChart, *chart, {"reference", "rungs", "frictions", "replicates", "seed"});
+    check_keys(kChart, *chart, {"reference", "rungs", "frictions", "replicates", "rung_replicates", "seed"});
     ladder.reference.set = read_overrides(std::string(kChart) + "/reference", false);
     read_rungs(ladder);
     read_frictions(ladder);
     ladder.replicates = static_cast<int>(read_integer("replicates", 5, 2, kMostChartReplicates));
+    ladder.rung_replicates =
+        static_cast<int>(read_integer("rung_replicates", ladder.replicates, 2, kMostChartReplicates));
+    if (ladder.rung_replicates % ladder.replicates != 0)
+      fault(std::string(kChart) + "/rung_replicates",
+            fmt::format("must be a multiple of replicates, {}", ladder.replicates));
     ladder.seed = static_cast<std::uint64_t>(read_integer("seed", 1, 0, 0x1p53));
     return ladder;
   }

@@ -28,8 +28,12 @@ struct Ladder {
   std::vector<Variant> rungs;  ///< each is set on top of the reference
   std::vector<std::string> friction_names;
   std::vector<std::vector<double>> frictions;  ///< one entry a set, in the order of the names
-  int replicates = 5;
+  int replicates = 5;                          ///< runs of the reference with a set
+  int rung_replicates = 5;                     ///< of a rung with a set: `replicates` or a multiple of it
   std::uint64_t seed = 1;
+
+  /// @param rung  0: the reference
+  [[nodiscard]] int replicates_of(std::size_t rung) const { return rung == 0 ? replicates : rung_replicates; }
 };
 
 /// Name of the reference among the variants.
@@ -40,7 +44,8 @@ inline constexpr const char* kReference = "reference";
 ///     "reference": {"/numerics/time_step_fraction": 0.1}        may be left out
 ///     "rungs": [{"name": "soft", "set": {"/numerics/stiffness_scale": 0.01}}, …]
 ///     "frictions": [{"mu_s": 0.2, "mu_r": 0.05}, …]             all of the same factors
-///     "replicates": 5, "seed": 1                                these are the defaults
+///     "replicates": 5, "rung_replicates": 5, "seed": 1          these are the defaults; the second: the
+///     first
 ///
 /// @param faults  takes every fault found; the ladder returned is of use only if none was added
 Ladder read_ladder(const CaseDocument& document, Faults& faults);

@@ -24,6 +24,20 @@ TEST(Compare, TakesDifferencesRunByRun) {
   EXPECT_NEAR(rung.mass.value, 0.0, 1e-12);
 }
 
+TEST(Compare, TakesTheMeanOfTheRungsRunsThatBelongToOneOfTheReference) {
+  Samples more = samples(0.5, 2.0);
+  for (std::vector<Sample>& set : more)  // again, in the same order, a degree higher
+    for (std::size_t run = 0; run < 2; ++run) {
+      set.push_back(set[run]);
+      set.back().angle += 1.0, set.back().density *= 1.02;
+    }
+  const Comparison rung = compare("soft", more, samples());
+  EXPECT_NEAR(rung.angle.mean.value, 1.0, 1e-12);
+  EXPECT_NEAR(rung.angle.mean.standard_error, 0.0, 1e-12);
+  EXPECT_NEAR(rung.density.value, 1.0, 1e-10);
+  EXPECT_EQ(rung.outcomes.at("completed"), 8);
+}
+
 TEST(Compare, NamesTheOutcomesOfARungThatFails) {
   Samples broken = samples();
   broken[1][0].outcome = "unstable";

@@ -64,6 +64,27 @@ TEST(ChartDesign, LongerLadderKeepsTheRunsThatThereAre) {
   EXPECT_TRUE(std::includes(after.begin(), after.end(), before.begin(), before.end()));
 }
 
+TEST(ChartDesign, RunsRungsMoreOftenThanTheReferenceWhereAskedTo) {
+  Json more = small_chart();
+  more["rung_replicates"] = 6;
+  std::set<std::string> before, after;
+  for (const PlannedRun& run : make_plan(document_of(charted(small_chart()))).runs) before.insert(run.key);
+  const Plan plan = make_plan(document_of(charted(more)));
+  for (const PlannedRun& run : plan.runs) after.insert(run.key);
+  const auto runs_of = [&](std::size_t point) {
+    return std::ranges::count(plan.runs, point, &PlannedRun::point);
+  };
+  EXPECT_EQ(runs_of(0), 2);
+  EXPECT_EQ(runs_of(3), 6);
+  EXPECT_EQ(after.size(), 6U + 2U * 18U);
+  EXPECT_TRUE(std::includes(after.begin(), after.end(), before.begin(), before.end()));
+  more["rung_replicates"] = 5;
+  EXPECT_NE(message_of([&] {
+              make_plan(document_of(charted(more)));
+            }).find("case.json: /chart/rung_replicates = 5: must be a multiple of replicates, 2"),
+            std::string::npos);
+}
+
 TEST(ChartDesign, NamesEveryFaultAtItsPlace) {
   Json chart = small_chart();
   chart["rung"] = 1;
