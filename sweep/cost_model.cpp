@@ -5,55 +5,43 @@
 #include <utility>
 
 #include "engine/base/vec3.hpp"
+#include "engine/dynamics/time_step.hpp"
 
 namespace repose::sweep {
 
 namespace {
 
-constexpr double kFractionOfAuto = 0.3;
 constexpr double kTimeAfterPouring = 1.0;  // to settle, open and come to rest [s]
+constexpr double kSearches = 200.0;
 
-/// Mean and smallest over shapes and size classes.
+/// Means over shapes and size classes.
 struct Bodies {
-  double mean_volume = 0.0;
-  double mean_spheres = 0.0;
-  double smallest_radius = INFINITY;
+  double volume = 0.0;
+  double spheres = 0.0;
 };
 
-Bodies bodies_of(const Particles& particles) {
-  Bodies bodies;
+Bodies mean_of(const Particles& particles) {
+  Bodies mean;
   const double share = 1.0 / static_cast<double>(std::max<std::size_t>(particles.shapes.size(), 1));
   for (const Clump& shape : particles.shapes) {
-    double smallest_scale = particles.size_classes.empty() ? 1.0 : INFINITY;
-    for (const SizeClass& size : particles.size_classes)
-      smallest_scale = std::min(smallest_scale, std::cbrt(size.volume_min / shape.volume));
-    bodies.smallest_radius = std::min(bodies.smallest_radius, smallest_scale * shape.smallest_radius());
-    bodies.mean_spheres += share * static_cast<double>(shape.spheres.size());
-    if (particles.size_classes.empty()) bodies.mean_volume += share * shape.volume;
+    mean.spheres += share * static_cast<double>(shape.spheres.size());
+    if (particles.size_classes.empty()) mean.volume += share * shape.volume;
   }
   for (const SizeClass& size : particles.size_classes)
-    bodies.mean_volume += size.number_fraction * 0.5 * (size.volume_min + size.volume_max);
-  return bodies;
-}
-
-double time_step_of(const Scene& scene, double smallest_radius) {
-  if (scene.numerics.time_step) return *scene.numerics.time_step;
-  const Material& material = scene.particles.material;
-  const double shear_modulus = material.shear_modulus * scene.numerics.stiffness_scale;
-  const double rayleigh_time = kPi * smallest_radius * std::sqrt(material.density / shear_modulus) /
-                               (0.163 * material.poisson_ratio + 0.8766);
-  return scene.numerics.time_step_fraction.value_or(kFractionOfAuto) * rayleigh_time;
+    mean.volume += size.number_fraction * 0.5 * (size.volume_min + size.volume_max);
+  return mean;
 }
 
 }  // namespace
 
 double estimated_work(const Scene& scene) {
-  const Bodies bodies = bodies_of(scene.particles);
-  const double count = scene.particles.total_mass / (scene.particles.material.density * bodies.mean_volume);
+  const Bodies mean = mean_of(scene.particles);
+  const double count = scene.particles.total_mass / (scene.particles.material.density * mean.volume);
   const double pouring =
       scene.test.filling == Filling::pour ? scene.particles.total_mass / scene.test.pour_rate : 0.0;
-  const double duration = pouring + kTimeAfterPouring;
-  return count * bodies.mean_spheres * duration / time_step_of(scene, bodies.smallest_radius);
+  const double diameter = std::cbrt(6.0 * mean.volume / kPi);
+  const double rate = 1.0 / time_step(scene) + kSearches * fall_speed(scene.test) / diameter;
+  return count * std::sqrt(mean.spheres) * (pouring + kTimeAfterPouring) * rate;
 }
 
 CostModel::CostModel(std::vector<double> work_of_points)
