@@ -44,8 +44,9 @@ inline constexpr const char* kReference = "reference";
 ///     "reference": {"/numerics/time_step_fraction": 0.1}        may be left out
 ///     "rungs": [{"name": "soft", "set": {"/numerics/stiffness_scale": 0.01}}, …]
 ///     "frictions": [{"mu_s": 0.2, "mu_r": 0.05}, …]             all of the same factors
-///     "replicates": 5, "rung_replicates": 5, "seed": 1          these are the defaults; the second: the
-///     first
+///     "replicates": 5, "rung_replicates": 5, "seed": 1          these are the defaults
+///
+/// Without "rung_replicates" rungs are run as often as the reference.
 ///
 /// @param faults  takes every fault found; the ladder returned is of use only if none was added
 Ladder read_ladder(const CaseDocument& document, Faults& faults);

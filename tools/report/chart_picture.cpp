@@ -134,7 +134,7 @@ class ChartPlot {
 
   [[nodiscard]] std::string heading() const {
     std::string text = chart_.title;
-    if (constexpr std::size_t kMost = 70; text.size() > kMost) {  // bytes: no letter may be cut in two
+    if (constexpr std::size_t kMost = 62; text.size() > kMost) {  // bytes: no letter may be cut in two
       std::size_t end = kMost;
       while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
       text = text.substr(0, end) + "…";
