@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <stdexcept>
 
 #include "sweep/study.hpp"
 
@@ -23,7 +22,8 @@ Sample sample_of(const sweep::StoredRun& run) {
           run.cpu_s.value_or(0.0)};
 }
 
-/// The runs of one rung. A run is found by its key, because two rungs can be the same test.
+/// The runs of a rung (0: the reference) that are there, up to the first that is missing of each set. A run
+/// is found by its key, because two rungs can be the same test.
 Samples samples_of(const sweep::Plan& plan, std::size_t rung, const RunsByKey& runs) {
   Samples samples;
   for (const sweep::PlannedPoint& point : plan.points) {
@@ -31,11 +31,20 @@ Samples samples_of(const sweep::Plan& plan, std::size_t rung, const RunsByKey& r
     std::vector<Sample>& set = samples.emplace_back();
     for (int replicate = 1; replicate <= plan.design.ladder.replicates_of(rung); ++replicate) {
       const auto found = runs.find(run_key(point.scene, seed_of(plan.design, point.values, replicate)));
-      if (found == runs.end()) throw std::runtime_error("a run of the chart is missing in its study");
+      if (found == runs.end()) break;
       set.push_back(sample_of(found->second));
     }
   }
   return samples;
+}
+
+/// How many runs every set has.
+std::size_t shortest(const Samples& samples) {
+  return std::ranges::min(samples, {}, &std::vector<Sample>::size).size();
+}
+
+void cut(Samples& samples, std::size_t runs) {
+  for (std::vector<Sample>& set : samples) set.resize(runs);
 }
 
 std::string words_of(const std::vector<std::string>& names, const std::vector<double>& values) {
@@ -43,12 +52,6 @@ std::string words_of(const std::vector<std::string>& names, const std::vector<do
   for (std::size_t f = 0; f < names.size(); ++f)
     text += fmt::format("{}{} = {:g}", f == 0 ? "" : ", ", names[f], values[f]);
   return text;
-}
-
-/// What a variant sets, with paths that can be found from anywhere.
-sweep::Variant anywhere(sweep::Variant variant, const CaseDocument& document) {
-  for (sweep::Override& override : variant.set) override.value = with_absolute_paths(document, override);
-  return variant;
 }
 
 void add_reference(Chart& chart, const Samples& reference) {
@@ -67,6 +70,24 @@ void add_reference(Chart& chart, const Samples& reference) {
   chart.scatter = scatter_of_angle(reference);
 }
 
+void add_rungs(Chart& chart, const sweep::Plan& plan, const RunsByKey& runs, const Samples& reference) {
+  const std::vector<sweep::Variant>& ladder = plan.design.ladder.rungs;
+  for (std::size_t rung = 0; rung < ladder.size(); ++rung) {
+    Samples samples = samples_of(plan, rung + 1, runs);
+    const auto needed = static_cast<std::size_t>(chart.rung_replicates);
+    if (shortest(samples) < needed) {
+      chart.unfinished.push_back(ladder[rung].name);
+      continue;
+    }
+    cut(samples, needed);
+    chart.variants.push_back(ladder[rung]);
+    chart.rungs.push_back(compare(ladder[rung].name, samples, reference));
+    chart.differences.push_back(chart.rungs.back().completed ? angle_differences(samples, reference)
+                                                             : Differences{});
+  }
+  mark_front(chart.rungs, chart.reference_cpu);
+}
+
 }  // namespace
 
 Chart read_chart(const std::filesystem::path& folder) {
@@ -77,24 +98,28 @@ Chart read_chart(const std::filesystem::path& folder) {
 
   const sweep::Ladder& ladder = plan.design.ladder;
   Chart chart;
+  chart.document = study.document;
   chart.title = plan.points.front().scene.title;
   for (const std::vector<double>& values : ladder.frictions)
     chart.frictions.push_back(words_of(ladder.friction_names, values));
-  chart.replicates = ladder.replicates;
-  chart.rung_replicates = ladder.rung_replicates;
-  chart.reference_variant = anywhere(ladder.reference, study.document);
-  for (const sweep::Variant& rung : ladder.rungs) chart.variants.push_back(anywhere(rung, study.document));
-  const Samples reference = samples_of(plan, 0, runs);
+  chart.missing_runs = static_cast<int>(
+      std::ranges::count_if(plan.runs, [&](const auto& run) { return !runs.contains(run.key); }));
+  chart.reference_variant = ladder.reference;
+  Samples reference = samples_of(plan, 0, runs);
+  const std::size_t replicates = shortest(reference);
+  chart.replicates = static_cast<int>(replicates);
+  chart.rung_replicates = chart.replicates * (ladder.rung_replicates / ladder.replicates);
+  if (replicates < 2) return chart;
+  cut(reference, replicates);
   add_reference(chart, reference);
-  if (!chart.has_reference()) return chart;
-  for (std::size_t rung = 1; rung <= ladder.rungs.size(); ++rung) {
-    const Samples samples = samples_of(plan, rung, runs);
-    chart.rungs.push_back(compare(ladder.rungs[rung - 1].name, samples, reference));
-    chart.differences.push_back(chart.rungs.back().completed ? angle_differences(samples, reference)
-                                                             : Differences{});
-  }
-  mark_front(chart.rungs, chart.reference_cpu);
+  if (chart.has_reference()) add_rungs(chart, plan, runs, reference);
   return chart;
+}
+
+sweep::Variant anywhere(sweep::Variant variant, const Chart& chart) {
+  for (sweep::Override& override : variant.set)
+    override.value = with_absolute_paths(chart.document, override);
+  return variant;
 }
 
 std::vector<Candidate> candidates_of(const Chart& chart) {
@@ -115,7 +140,8 @@ sweep::Variant variant_of(const Combination& combination, const std::vector<Cand
   sweep::Variant variant{name_of(combination, candidates), {}};
   for (const std::size_t index : combination.rungs) {
     const auto rung = std::ranges::find(chart.variants, candidates[index].name, &sweep::Variant::name);
-    variant.set.insert(variant.set.end(), rung->set.begin(), rung->set.end());
+    const sweep::Variant found = anywhere(*rung, chart);
+    variant.set.insert(variant.set.end(), found.set.begin(), found.set.end());
   }
   return variant;
 }

@@ -93,7 +93,9 @@ Json to_json(const Chart& chart) {
   Json json = {{"title", chart.title},
                {"frictions", chart.frictions},
                {"replicates", chart.replicates},
-               {"rung_replicates", chart.rung_replicates}};
+               {"rung_replicates", chart.rung_replicates},
+               {"missing_runs", chart.missing_runs},
+               {"unfinished", chart.unfinished}};
   json["reference"] = {{"set", set_of(chart.reference_variant)},
                        {"outcomes", chart.reference_outcomes},
                        {"cpu_s", chart.reference_cpu},

@@ -34,8 +34,9 @@ class Pass {
     left_to_make_ = todo_.size();
     started_.assign(todo_.size(), std::nullopt);
     finished_.assign(todo_.size(), false);
-    std::stable_sort(todo_.begin(), todo_.end(), [&](std::size_t a, std::size_t b) {
-      return costs_.weight(plan_.runs[a].point) > costs_.weight(plan_.runs[b].point);
+    std::ranges::stable_sort(todo_, {}, [&](std::size_t run) {
+      const PlannedRun& planned = plan_.runs[run];
+      return std::pair(planned.replicate, -costs_.weight(planned.point));
     });
   }
 

@@ -55,7 +55,8 @@ struct SweepSummary {
   double cpu_s = 0.0;  ///< of the runs of this call
 };
 
-/// Makes runs of a plan in parallel, one thread a run, the longest first, and stores each as it ends. Threads
+/// Makes runs of a plan in parallel, one thread a run, and stores each as it ends: replicate by replicate, so
+/// that what is there early spans the design, and of a replicate the longest first. Threads
 /// that find no run left help those under way. What is
 /// stored does not depend on threads, order or interruptions. A run that throws is stored as `failed` and the
 /// others go on.

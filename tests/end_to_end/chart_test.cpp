@@ -96,6 +96,46 @@ TEST(Chart, AfterCtrlCItGoesOnAndTheChartIsTheSame) {
   EXPECT_EQ(without_times(Json::parse(rest.out)), without_times(Json::parse(whole.out)));
 }
 
+TEST(Chart, StoppedHalfWayItShowsTheReplicatesThatAreThere) {
+  const TemporaryFolder folder;
+  const Json two = Json::parse(chart(folder, "study", tiny_chart(2), {"--json"}).out);
+  // 48 runs more: with the first of them the chart is stopped long before the last.
+  const std::string file = write_case(folder, tiny_chart(6));
+  const auto done = [&] {
+    const Finished status = repose({"status", (folder / "study").string(), "--json"});
+    return status.code == 0 ? Json::parse(status.out).at("done").get<int>() : 0;
+  };
+  Process process(REPOSE_PROGRAM,
+                  {"chart", file, "--out", (folder / "study").string(), "--threads", "1", "--json"});
+  EXPECT_TRUE(eventually([&] { return done() > 24; }));
+  process.send(SIGINT);
+  const Finished stopped = process.wait();
+  EXPECT_EQ(stopped.code, 130);
+  const Json so_far = Json::parse(stopped.out).at("so_far");
+  EXPECT_GE(so_far.at("replicates"), 2);
+  EXPECT_LT(so_far.at("replicates"), 6);
+  EXPECT_GT(so_far.at("missing_runs"), 0);
+  EXPECT_EQ(so_far.at("rungs").size() + so_far.at("unfinished").size(), 3U);
+  if (so_far.at("replicates") == 2) {
+    EXPECT_EQ(so_far.at("rungs")[0].at("by_friction"), two.at("rungs")[0].at("by_friction"));
+  }
+  // What was written when the chart was whole stays as it was.
+  EXPECT_EQ(Json::parse(text_of(folder / "study/chart.json")), two);
+}
+
+TEST(Chart, NamesFilesAsTheyAreFoundFromItsFolder) {
+  const TemporaryFolder folder;
+  Json json = tiny_chart(2);
+  const Json clump = Json::parse(R"([{"clump": "clump.json"}])");
+  fs::copy_file(fs::path(__FILE__).parent_path() / "../../cases/shapes/particle_13_5.json",
+                folder / "clump.json");
+  json["chart"]["rungs"] = Json::array({{{"name", "clumps"}, {"set", {{"/particles/shapes", clump}}}}});
+  const Finished run = chart(folder, "study", json, {"--json"});
+  const Json rung = Json::parse(run.out).at("rungs")[0];
+  const std::string name = rung.at("set").at("/particles/shapes")[0].at("clump");
+  EXPECT_TRUE(fs::exists(folder / "study" / name)) << name;
+}
+
 TEST(Chart, ChoosesConfirmsAndWritesACaseThatInherits) {
   const TemporaryFolder folder;
   Json json = tiny_chart(3);

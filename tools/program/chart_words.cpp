@@ -31,6 +31,14 @@ std::string line_of(const chart::Chart& chart, const chart::Comparison& rung, st
           (chart.frictions.size() > 1 ? "worst at " + chart.frictions[angle.worst_at] : std::string()));
 }
 
+std::string so_far(const chart::Chart& chart) {
+  std::string text = fmt::format("so far: {} replicates of the reference, {} of the rungs; {} runs to come",
+                                 chart.replicates, chart.rung_replicates, chart.missing_runs);
+  for (std::size_t k = 0; k < chart.unfinished.size(); ++k)
+    text += (k == 0 ? "; not there yet: " : ", ") + chart.unfinished[k];
+  return text + "\n";
+}
+
 }  // namespace
 
 std::string in_words(const chart::Chart& chart) {
@@ -58,6 +66,7 @@ std::string in_words(const chart::Chart& chart) {
   for (const chart::Comparison& rung : chart.rungs)
     if (!rung.completed)
       text += fmt::format("{}: not completed ({}): {}\n", rung.name, in_words(rung.outcomes), rung.reason);
+  if (chart.missing_runs > 0) text += so_far(chart);
   if (chart.frictions.size() < 3)
     text += fmt::format(
         "only {} of frictions: the error of a simplification can depend on them, three and more are "

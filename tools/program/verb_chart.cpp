@@ -45,7 +45,7 @@ struct Session {
   const Trial* chosen = nullptr;
   std::string remark;  ///< why nothing was chosen
 
-  /// Makes what is missing of the ladder with its combinations, and reads it; false: interrupted.
+  /// Makes what is missing of the ladder with its combinations, and reads what is there; false: interrupted.
   bool measure(Faults faults = {}) {
     SweepRequest request = options.sweep;
     request.quiet = options.common.quiet;
@@ -53,9 +53,8 @@ struct Session {
       return chart::with_rungs(chart::with_chart(document), combinations);
     };
     summary = sweep_case(request, std::move(faults));
-    if (summary.interrupted) return false;
     chart = chart::read_chart(request.folder);
-    return true;
+    return !summary.interrupted;
   }
 };
 
@@ -123,8 +122,9 @@ void write_chart(const Session& session) {
   for (const char* picture : {"chart.svg", "chart.png"}) report::draw_chart(folder / picture, session.chart);
   if (session.chosen == nullptr) return;
   const CaseDocument given = CaseDocument::load(session.options.sweep.case_file);
-  const auto json = chart::chosen_case(given, {session.chart.reference_variant, session.chosen->variant},
-                                       folder, title_of(session));
+  const sweep::Variant reference = chart::anywhere(session.chart.reference_variant, session.chart);
+  const auto json =
+      chart::chosen_case(given, {reference, session.chosen->variant}, folder, title_of(session));
   write_file(folder / "chosen.json", json.dump(2) + "\n");
 }
 
@@ -134,7 +134,8 @@ nlohmann::ordered_json session_json(const Session& session) {
   if (!session.options.limit) return json;
   auto trials = nlohmann::ordered_json::array();
   for (const Trial& trial : session.trials) {
-    auto one = chart::to_json(trial.measured, trial.variant);
+    auto one = chart::to_json(trial.measured, *std::ranges::find(session.chart.variants, trial.variant.name,
+                                                                 &sweep::Variant::name));
     one["predicted"] = {{"error_deg", trial.predicted.error.value},
                         {"standard_error", trial.predicted.error.standard_error},
                         {"error_bound_95_deg", trial.predicted.bound_95},
@@ -166,6 +167,24 @@ void print_session(const Session& session) {
   fmt::print("written to {}\n", folder.string());
 }
 
+/// The chart of what is there. It is not written: files are of the whole ladder.
+void print_interrupted(const Session& session) {
+  const bool there = session.chart.has_reference();
+  if (session.options.common.json) {
+    nlohmann::ordered_json json = {{"sweep", to_json(session.summary)}};
+    json["so_far"] = there ? chart::to_json(session.chart) : nlohmann::ordered_json();
+    print_json(json);
+    return;
+  }
+  fmt::print("{}\n", in_words(session.summary));
+  if (there)
+    fmt::print("{}", in_words(session.chart));
+  else if (session.chart.reference_failure.empty())
+    fmt::print("no chart yet: it begins with two replicates of the reference\n");
+  else
+    fmt::print("{}\n", reference_failed(session.chart));
+}
+
 int chart_verb(const ChartOptions& options) {
   Faults faults;
   if (options.limit)
@@ -181,10 +200,7 @@ int chart_verb(const ChartOptions& options) {
   }
   if (complete && options.limit) complete = choose(session, *options.limit);
   if (!complete) {
-    if (options.common.json)
-      print_json({{"sweep", to_json(session.summary)}});
-    else
-      fmt::print("{}\n", in_words(session.summary));
+    print_interrupted(session);
     return kInterrupted;
   }
   const nlohmann::ordered_json json = session_json(session);

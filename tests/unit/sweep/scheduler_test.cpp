@@ -14,9 +14,10 @@
 namespace repose::sweep {
 namespace {
 
-TEST_F(SweepTest, MakesTheLongestRunsFirst) {
+TEST_F(SweepTest, MakesReplicateByReplicateTheLongestRunsFirst) {
   const Json sweep = {{"design", "full_factorial"},
-                      {"factors", {{"/particles/total_mass_kg", {0.05, 0.2, 0.1}}}}};
+                      {"factors", {{"/particles/total_mass_kg", {0.05, 0.2, 0.1}}}},
+                      {"replicates", 2}};
   std::vector<double> order;
   SweepOptions options = with_fake_run();
   options.run = [&](const Scene& scene, std::uint64_t seed, const RunOptions& run) {
@@ -24,7 +25,7 @@ TEST_F(SweepTest, MakesTheLongestRunsFirst) {
     return fake_run(scene, seed, run);
   };
   run_sweep(document_of(case_with(sweep)), study(), options);
-  EXPECT_EQ(order, (std::vector<double>{0.2, 0.1, 0.05}));
+  EXPECT_EQ(order, (std::vector<double>{0.2, 0.1, 0.05, 0.2, 0.1, 0.05}));
 }
 
 /// One run for three threads: the two that find none join its crew, whoever is first.
