@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <string>
+#include <utility>
 
+#include "chart/kinds.hpp"
 #include "tools/plot/gnuplot.hpp"
 
 namespace repose::report {
@@ -36,25 +39,14 @@ struct Box {
 /// A rung on the picture.
 struct Spot {
   const chart::Comparison* rung = nullptr;
-  std::string family;  ///< what it sets
+  std::string kind;  ///< what sets it apart (chart::kinds_of)
   std::string colour;
   double x = 0.0, y = 0.0;  ///< pixels
 };
 
-std::string family_of(const sweep::Variant& variant) {
-  std::string family;
-  for (const sweep::Override& override : variant.set) {
-    const std::string& pointer = override.pointer;
-    const std::string section =
-        pointer.starts_with("/particles/shapes") ? "shapes" : pointer.substr(pointer.rfind('/') + 1);
-    if (family.find(section) == std::string::npos) family += (family.empty() ? "" : "+") + section;
-  }
-  return family;
-}
-
 class ChartPlot {
  public:
-  explicit ChartPlot(const chart::Chart& chart) : chart_(chart) {
+  explicit ChartPlot(const chart::Chart& chart) : chart_(chart), kinds_(chart::kinds_of(chart.variants)) {
     double low = chart.reference_cpu, high = chart.reference_cpu, worst = std::max(1.0, chart.scatter);
     for (const chart::Comparison& rung : chart.rungs) {
       if (!rung.completed) continue;
@@ -69,9 +61,9 @@ class ChartPlot {
     std::map<std::string, std::string> colours;
     for (std::size_t k = 0; k < chart.rungs.size(); ++k) {
       if (!chart.rungs[k].completed) continue;
-      Spot spot{&chart.rungs[k], family_of(chart.variants[k]), "", x_of(chart.rungs[k].cpu),
+      Spot spot{&chart.rungs[k], kinds_[k], "", x_of(chart.rungs[k].cpu),
                 y_of(chart.rungs[k].angle.error.value)};
-      spot.colour = colours.emplace(spot.family, kColours[colours.size() % kColours.size()]).first->second;
+      spot.colour = colours.emplace(spot.kind, kColours[colours.size() % kColours.size()]).first->second;
       spots_.push_back(spot);
     }
   }
@@ -79,7 +71,7 @@ class ChartPlot {
   [[nodiscard]] std::string script() {
     add_frame();
     add_noise();
-    add_families();
+    add_kinds();
     add_front();
     add_points();
     add_cliffs();
@@ -152,21 +144,29 @@ class ChartPlot {
     taken_.push_back({right_ - 180.0, y_of(chart_.scatter), 180.0, 1.2 * kLine});
   }
 
-  /// From the reference to the cheapest, what sets the same thing.
-  void add_families() {
-    std::map<std::string, std::vector<const Spot*>> families;
-    for (const Spot& spot : spots_) families[spot.family].push_back(&spot);
+  /// Rungs of one kind, from the dearest to the cheapest, with what they depart from: the working point, the
+  /// rung of no kind of its own, or else the reference.
+  void add_kinds() {
+    std::map<std::string, std::vector<const Spot*>> kinds;
+    for (const Spot& spot : spots_) kinds[spot.kind].push_back(&spot);
+    std::pair<double, double> origin{chart_.reference_cpu, 0.0};
+    if (const auto own = kinds.find(""); own != kinds.end()) origin = place_of(*own->second.front()->rung);
     int number = 0;
-    for (auto& [family, members] : families) {
-      std::ranges::sort(members, [](const Spot* a, const Spot* b) { return a->rung->cpu > b->rung->cpu; });
-      const std::string name = fmt::format("family{}", number++);
-      before_ += fmt::format("${} << EOD\n{:.9g} 0\n", name, chart_.reference_cpu);
-      for (const Spot* spot : members)
-        before_ += fmt::format("{:.9g} {:.9g}\n", spot->rung->cpu, spot->rung->angle.error.value);
+    for (const auto& [kind, members] : kinds) {
+      std::vector<std::pair<double, double>> places{origin};
+      for (const Spot* spot : members) places.push_back(place_of(*spot->rung));
+      std::ranges::sort(places, std::greater{});
+      const std::string name = fmt::format("kind{}", number++);
+      before_ += fmt::format("${} << EOD\n", name);
+      for (const auto& [cpu, error] : places) before_ += fmt::format("{:.9g} {:.9g}\n", cpu, error);
       before_ += "EOD\n";
       plots_.push_back(
           fmt::format("${} with lines lw 0.8 dt (4,4) lc rgb '{}'", name, members.front()->colour));
     }
+  }
+
+  static std::pair<double, double> place_of(const chart::Comparison& rung) {
+    return {rung.cpu, rung.angle.error.value};
   }
 
   void add_front() {
@@ -288,12 +288,12 @@ class ChartPlot {
     before_ += "$cliffs << EOD\n";
     std::map<std::string, const chart::Comparison*> last;
     for (const Spot& spot : spots_) {
-      const chart::Comparison*& cheapest = last[spot.family];
+      const chart::Comparison*& cheapest = last[spot.kind];
       if (cheapest == nullptr || spot.rung->cpu < cheapest->cpu) cheapest = spot.rung;
     }
     bool any = false;
     for (std::size_t k = 0; k < chart_.rungs.size(); ++k) {
-      const auto found = last.find(family_of(chart_.variants[k]));
+      const auto found = last.find(kinds_[k]);
       if (chart_.rungs[k].completed || found == last.end()) continue;
       before_ += fmt::format("{:.9g} {:.9g}\n", found->second->cpu, found->second->angle.error.value);
       any = true;
@@ -313,7 +313,8 @@ class ChartPlot {
   }
 
   const chart::Chart& chart_;
-  double right_ = kRight;  ///< of the plot
+  std::vector<std::string> kinds_;  ///< of the rungs
+  double right_ = kRight;           ///< of the plot
   double x_low_ = 0.0, x_high_ = 0.0, y_high_ = 0.0;
   std::vector<Spot> spots_;
   std::vector<Box> taken_;
