@@ -258,9 +258,10 @@ std::optional<Flanks> Store::flanks(const std::string& run_key) const {
 void Store::relabel(const std::unordered_map<std::string, Label>& labels) {
   Transaction transaction(*database_);
   database_->execute("UPDATE runs SET point = NULL");
-  Statement update = database_->prepare("UPDATE runs SET point = ?, replicate = ? WHERE run_key = ?");
+  Statement update =
+      database_->prepare("UPDATE runs SET point = ?, replicate = ?, variant = ? WHERE run_key = ?");
   for (const auto& [key, label] : labels) {
-    update.bind(0, label.point).bind(1, label.replicate).bind(2, key);
+    update.bind(0, label.point).bind(1, label.replicate).bind(2, label.variant).bind(3, key);
     update.run();
   }
   transaction.commit();

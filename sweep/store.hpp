@@ -55,9 +55,10 @@ class Store {
   struct Label {
     int point = 0;
     int replicate = 0;
+    std::string variant;
   };
-  /// Numbers the runs by the design that is now the study's: those of these keys as given, all others without
-  /// a point.
+  /// Numbers and names the runs by the design that is now the study's: those of these keys as given, all
+  /// others without a point.
   void relabel(const std::unordered_map<std::string, Label>& labels);
 
   /// Takes over the runs of other studies, all or nothing.

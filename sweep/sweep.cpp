@@ -23,18 +23,20 @@ RunsByKey by_key(std::vector<StoredRun> runs) {
 std::unordered_map<std::string, Store::Label> labels_of(const Plan& plan) {
   std::unordered_map<std::string, Store::Label> labels;
   for (const PlannedRun& run : plan.runs)
-    labels.emplace(run.key, Store::Label{static_cast<int>(run.point) + 1, run.replicate});
+    labels.emplace(run.key,
+                   Store::Label{static_cast<int>(run.point) + 1, run.replicate, plan.variant_of(run.point)});
   return labels;
 }
 
-/// Numbers the stored runs by the plan where they are not yet.
+/// Numbers and names the stored runs by the plan where they are not yet.
 void label_by(const Plan& plan, const RunsByKey& stored, Store& store) {
   const auto labels = labels_of(plan);
   for (const auto& [key, run] : stored) {
     const auto label = labels.find(key);
     const bool fits = label == labels.end()
                           ? !run.point.has_value()
-                          : run.point == label->second.point && run.replicate == label->second.replicate;
+                          : run.point == label->second.point && run.replicate == label->second.replicate &&
+                                run.variant == label->second.variant;
     if (!fits) return store.relabel(labels);
   }
 }

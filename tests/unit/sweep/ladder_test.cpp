@@ -159,5 +159,27 @@ TEST(ChartStudy, RungsOfOneSeedDoNotSupersedeEachOther) {
     EXPECT_FALSE(run.superseded) << run.variant;
 }
 
+/// What was the reference of a ladder is a rung of the next: its runs are kept, named anew and told apart
+/// from those of the new reference, of the same frictions and seeds; and so when the first ladder returns.
+TEST(ChartStudy, RunsTakeTheNameThatTheLadderGivesThemNow) {
+  const test::TemporaryFolder folder;
+  const Json before = small_chart();
+  Json after = before;
+  after["reference"] = {{"/numerics/stiffness_scale", 0.5}};
+  after["rungs"] =
+      Json::array({{{"name", "former"},
+                    {"set", {{"/numerics/stiffness_scale", 1.0}, {"/numerics/time_step_fraction", 0.1}}}}});
+  const auto left_of_variants = [&](const Json& chart) {
+    run_sweep(document_of(charted(chart)), folder / "study", with_fake_run());
+    std::map<std::string, int> variants;
+    for (const StoredRun& run : runs_of(Store::open(folder / "study")))
+      if (run.point && !run.superseded) ++variants[run.variant];
+    return variants;
+  };
+  const auto first = left_of_variants(before);
+  EXPECT_EQ(left_of_variants(after), (std::map<std::string, int>{{"former", 6}, {"reference", 6}}));
+  EXPECT_EQ(left_of_variants(before), first);
+}
+
 }  // namespace
 }  // namespace repose::sweep

@@ -133,12 +133,13 @@ TEST_F(StoreTest, LetsAFailedRunGiveWayToAnotherButNotTheOtherWayRound) {
 TEST_F(StoreTest, NumbersItsRunsAnewWhenTheDesignChanges) {
   Store store = Store::open_or_create(study());
   for (const char* key : {"a", "b", "c"}) store.put(run_of(key));
-  store.relabel({{"c", {1, 1}}, {"a", {2, 5}}});
+  store.relabel({{"c", {1, 1, ""}}, {"a", {2, 5, "soft"}}});
   const auto runs = store.runs();
   EXPECT_EQ(runs[0].run_key, "c");
   EXPECT_EQ(runs[1].run_key, "a");
   EXPECT_EQ(runs[1].point, 2);
   EXPECT_EQ(runs[1].replicate, 5);
+  EXPECT_EQ(runs[1].variant, "soft");
   EXPECT_EQ(runs[2].run_key, "b");
   EXPECT_FALSE(runs[2].point.has_value());
 }
