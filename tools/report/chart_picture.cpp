@@ -149,11 +149,12 @@ class ChartPlot {
   void add_kinds() {
     std::map<std::string, std::vector<const Spot*>> kinds;
     for (const Spot& spot : spots_) kinds[spot.kind].push_back(&spot);
-    std::pair<double, double> origin{chart_.reference_cpu, 0.0};
+    const std::pair<double, double> reference{chart_.reference_cpu, 0.0};
+    std::pair<double, double> origin = reference;
     if (const auto own = kinds.find(""); own != kinds.end()) origin = place_of(*own->second.front()->rung);
     int number = 0;
     for (const auto& [kind, members] : kinds) {
-      std::vector<std::pair<double, double>> places{origin};
+      std::vector<std::pair<double, double>> places{kind.empty() ? reference : origin};
       for (const Spot* spot : members) places.push_back(place_of(*spot->rung));
       std::ranges::sort(places, std::greater{});
       const std::string name = fmt::format("kind{}", number++);
