@@ -56,10 +56,9 @@ struct SweepSummary {
 };
 
 /// Makes runs of a plan in parallel, one thread a run, and stores each as it ends: replicate by replicate, so
-/// that what is there early spans the design, and of a replicate the longest first. Threads
-/// that find no run left help those under way. What is
-/// stored does not depend on threads, order or interruptions. A run that throws is stored as `failed` and the
-/// others go on.
+/// that what is there early spans the design, and of a replicate the longest first. Threads that find no run
+/// left help those under way. What is stored does not depend on threads, order or interruptions. A run that
+/// throws is stored as `failed` and the others go on.
 /// @param todo   indices into plan.runs
 /// @param costs  learns from each run
 /// @param begin  planned, present (as done) and failed of the part of the design that todo belongs to
