@@ -120,7 +120,7 @@ inline Finished run(const std::filesystem::path& program, const std::vector<std:
 
 /// Waits until the condition holds; false if it does not within the time.
 inline bool eventually(const std::function<bool()>& condition,
-                       std::chrono::seconds limit = std::chrono::seconds(30)) {
+                       std::chrono::seconds limit = std::chrono::seconds(120)) {
   const auto end = std::chrono::steady_clock::now() + limit;
   while (!condition()) {
     if (std::chrono::steady_clock::now() > end) return false;
