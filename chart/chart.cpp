@@ -72,6 +72,7 @@ void add_reference(Chart& chart, const Samples& reference) {
 
 void add_rungs(Chart& chart, const sweep::Plan& plan, const RunsByKey& runs, const Samples& reference) {
   const std::vector<sweep::Variant>& ladder = plan.design.ladder.rungs;
+  Samples working_point;  // if it completed
   for (std::size_t rung = 0; rung < ladder.size(); ++rung) {
     Samples samples = samples_of(plan, rung + 1, runs);
     const auto needed = static_cast<std::size_t>(chart.rung_replicates);
@@ -81,9 +82,12 @@ void add_rungs(Chart& chart, const sweep::Plan& plan, const RunsByKey& runs, con
     }
     cut(samples, needed);
     chart.variants.push_back(ladder[rung]);
-    chart.rungs.push_back(compare(ladder[rung].name, samples, reference));
-    chart.differences.push_back(chart.rungs.back().completed ? angle_differences(samples, reference)
-                                                             : Differences{});
+    Comparison& comparison = chart.rungs.emplace_back(compare(ladder[rung].name, samples, reference));
+    chart.differences.push_back(comparison.completed ? angle_differences(samples, reference) : Differences{});
+    if (!comparison.completed) continue;
+    if (rung == 0 && plan.design.ladder.has_working_point) working_point = samples;
+    if (!working_point.empty())
+      comparison.off_working_point = judge(angle_differences(samples, working_point)).mean;
   }
   mark_front(chart.rungs, chart.reference_cpu);
 }
@@ -105,6 +109,7 @@ Chart read_chart(const std::filesystem::path& folder) {
   chart.missing_runs = static_cast<int>(
       std::ranges::count_if(plan.runs, [&](const auto& run) { return !runs.contains(run.key); }));
   chart.reference_variant = ladder.reference;
+  if (ladder.has_working_point) chart.working_point = ladder.rungs.front().set;
   Samples reference = samples_of(plan, 0, runs);
   const std::size_t replicates = shortest(reference);
   chart.replicates = static_cast<int>(replicates);
@@ -122,15 +127,41 @@ sweep::Variant anywhere(sweep::Variant variant, const Chart& chart) {
   return variant;
 }
 
+namespace {
+
+/// It is the first rung, if it is there.
+bool has_working_point(const Chart& chart) {
+  return !chart.working_point.empty() && !chart.rungs.empty() && chart.rungs.front().completed &&
+         chart.variants.front().name == sweep::kWorkingPoint;
+}
+
+Candidate candidate_of(const Chart& chart, std::size_t rung) {
+  const Comparison& comparison = chart.rungs[rung];
+  Candidate candidate{comparison.name, {}, chart.differences[rung], comparison.cpu / chart.reference_cpu};
+  // Where the working point failed, so that nothing is known of it, its settings keep its rungs apart.
+  const sweep::Variant& variant = chart.variants[rung];
+  const bool on_ground = has_working_point(chart);
+  for (const sweep::Override& override : on_ground ? variant.own() : std::span(variant.set))
+    candidate.pointers.push_back(override.pointer);
+  return candidate;
+}
+
+}  // namespace
+
+std::optional<Candidate> working_point_of(const Chart& chart) {
+  if (!has_working_point(chart)) return std::nullopt;
+  return candidate_of(chart, 0);
+}
+
 std::vector<Candidate> candidates_of(const Chart& chart) {
+  const Comparison* ground = has_working_point(chart) ? &chart.rungs.front() : nullptr;
   std::vector<Candidate> candidates;
-  for (std::size_t rung = 0; rung < chart.rungs.size(); ++rung) {
+  for (std::size_t rung = ground != nullptr ? 1 : 0; rung < chart.rungs.size(); ++rung) {
     const Comparison& comparison = chart.rungs[rung];
     if (!comparison.completed || !(comparison.cpu < chart.reference_cpu)) continue;
-    Candidate candidate{comparison.name, {}, chart.differences[rung], comparison.cpu / chart.reference_cpu};
-    for (const sweep::Override& override : chart.variants[rung].set)
-      candidate.pointers.push_back(override.pointer);
-    candidates.push_back(std::move(candidate));
+    if (ground == nullptr || comparison.cpu < ground->cpu ||
+        comparison.angle.bound_95 < ground->angle.bound_95)
+      candidates.push_back(candidate_of(chart, rung));
   }
   return candidates;
 }
@@ -140,10 +171,9 @@ sweep::Variant variant_of(const Combination& combination, const std::vector<Cand
   sweep::Variant variant{name_of(combination, candidates), {}};
   for (const std::size_t index : combination.rungs) {
     const auto rung = std::ranges::find(chart.variants, candidates[index].name, &sweep::Variant::name);
-    const sweep::Variant found = anywhere(*rung, chart);
-    variant.set.insert(variant.set.end(), found.set.begin(), found.set.end());
+    variant.set.insert(variant.set.end(), rung->own().begin(), rung->own().end());
   }
-  return variant;
+  return anywhere(sweep::on_working_point(chart.working_point, std::move(variant)), chart);
 }
 
 }  // namespace repose::chart

@@ -17,13 +17,14 @@ namespace repose::chart {
 struct Chart {
   CaseDocument document;  ///< of the study; paths in it are relative to its folder
   std::string title;
-  std::vector<std::string> frictions;    ///< "mu_r = 0.05, mu_s = 0.2"
-  int replicates = 0;                    ///< of the reference with a set
-  int rung_replicates = 0;               ///< of a rung with a set
-  int missing_runs = 0;                  ///< of the ladder
-  std::vector<std::string> unfinished;   ///< rungs left out because they lack runs
-  sweep::Variant reference_variant;      ///< as the study has it
-  std::vector<sweep::Variant> variants;  ///< of the rungs
+  std::vector<std::string> frictions;          ///< "mu_r = 0.05, mu_s = 0.2"
+  int replicates = 0;                          ///< of the reference with a set
+  int rung_replicates = 0;                     ///< of a rung with a set
+  int missing_runs = 0;                        ///< of the ladder
+  std::vector<std::string> unfinished;         ///< rungs left out because they lack runs
+  sweep::Variant reference_variant;            ///< as the study has it
+  std::vector<sweep::Variant> variants;        ///< of the rungs
+  std::vector<sweep::Override> working_point;  ///< what it sets; empty where there is none
   /// Of the reference: the mean angle of each set of frictions, empty where a run did not complete.
   std::vector<Estimate> reference_angle;
   std::map<std::string, int> reference_outcomes;
@@ -43,7 +44,11 @@ Chart read_chart(const std::filesystem::path& folder);
 /// What a rung or the reference sets, with paths that can be found from anywhere.
 sweep::Variant anywhere(sweep::Variant variant, const Chart& chart);
 
-/// The rungs that a combination may be made of.
+/// What the rungs stand on, if it completed; std::nullopt: the reference.
+std::optional<Candidate> working_point_of(const Chart& chart);
+
+/// The rungs that a combination may be made of: completed and cheaper than the reference; on a working point
+/// cheaper than that, or nearer the reference with 95 % confidence.
 std::vector<Candidate> candidates_of(const Chart& chart);
 
 /// A combination as a rung of its own, with paths that can be found from anywhere.

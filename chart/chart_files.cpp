@@ -50,7 +50,8 @@ std::string chart_csv(const Chart& chart) {
       "rung,outcomes,completed,cpu_s,speed_up,angle_difference_deg,angle_difference_se_deg,"
       "worst_difference_deg,worst_difference_se_deg,worst_at,dependence_p,error_deg,error_se_deg,"
       "error_bound_95_deg,density_difference_percent,density_difference_se_percent,"
-      "mass_difference_percent,mass_difference_se_percent,on_front,set\n";
+      "mass_difference_percent,mass_difference_se_percent,off_working_point_deg,off_working_point_se_deg,"
+      "on_front,set\n";
   for (std::size_t k = 0; k < chart.rungs.size(); ++k) {
     const Comparison& rung = chart.rungs[k];
     text +=
@@ -61,9 +62,9 @@ std::string chart_csv(const Chart& chart) {
       text += cells(angle.mean) + cells(angle.worst) +
               fmt::format(",{},{:.4g}", quoted(chart.frictions[angle.worst_at]), angle.dependence_p) +
               cells(angle.error) + fmt::format(",{:.6g}", angle.bound_95) + cells(rung.density) +
-              cells(rung.mass);
+              cells(rung.mass) + (rung.off_working_point ? cells(*rung.off_working_point) : ",,");
     } else {
-      text += std::string(13, ',');
+      text += std::string(15, ',');
     }
     text += fmt::format(",{},{}\n", rung.on_front ? 1 : 0, quoted(set_of(chart.variants[k]).dump()));
   }
@@ -85,6 +86,7 @@ Json to_json(const Comparison& rung, const sweep::Variant& variant) {
   json["error_bound_95_deg"] = known(angle.bound_95);
   json["density_difference_percent"] = known(to_json(rung.density));
   json["mass_difference_percent"] = known(to_json(rung.mass));
+  json["off_working_point_deg"] = rung.off_working_point ? to_json(*rung.off_working_point) : Json();
   json["on_front"] = rung.on_front;
   return json;
 }

@@ -3,23 +3,32 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "engine/scene/json_file.hpp"
+#include "sweep/ladder.hpp"
+
 namespace repose::chart {
 
 namespace {
 
-bool leads_to_or_below(const std::string& pointer, const std::string& other) {
-  return other.starts_with(pointer) && (other.size() == pointer.size() || other[pointer.size()] == '/');
-}
-
-Differences sum_of(Differences sum, const Differences& more) {
+/// What the next rung adds to a sum of differences: its own, less those of what it stands on.
+Differences sum_of(Differences sum, const Differences& more, const Differences& ground) {
   for (std::size_t set = 0; set < sum.size(); ++set)
-    for (std::size_t run = 0; run < sum[set].size(); ++run) sum[set][run] += more[set][run];
+    for (std::size_t run = 0; run < sum[set].size(); ++run)
+      sum[set][run] += more[set][run] - ground[set][run];
   return sum;
 }
 
 class Search {
  public:
-  Search(double limit, const std::vector<Candidate>& candidates) : limit_(limit), candidates_(candidates) {
+  Search(double limit, const std::vector<Candidate>& candidates,
+         const std::optional<Candidate>& working_point)
+      : limit_(limit), candidates_(candidates), has_working_point_(working_point) {
+    if (working_point) {
+      ground_ = *working_point;
+    } else if (!candidates.empty()) {  // the reference: off by nothing, at its own cost
+      ground_.angle = candidates.front().angle;
+      for (std::vector<double>& set : ground_.angle) std::ranges::fill(set, 0.0);
+    }
     for (const Candidate& a : candidates) {
       std::vector<bool>& row = excluded_.emplace_back();
       for (const Candidate& b : candidates) row.push_back(exclude_each_other(a, b));
@@ -27,10 +36,10 @@ class Search {
   }
 
   std::vector<Combination> run() {
-    if (candidates_.empty()) return {};
-    Differences none = candidates_.front().angle;
-    for (std::vector<double>& set : none) std::ranges::fill(set, 0.0);
-    extend({}, 0, none);
+    if (ground_.angle.empty()) return {};
+    const Combination alone{{}, ground_.cost_ratio, judge(ground_.angle)};
+    if (has_working_point_ && alone.predicted.bound_95 < limit_) found_.push_back(alone);
+    extend(alone, 0, ground_.angle);
     std::ranges::stable_sort(found_, {}, &Combination::cost_ratio);
     return std::move(found_);
   }
@@ -46,8 +55,8 @@ class Search {
                                 " combinations of rungs: leave the poor ones out");
       Combination next = sofar;
       next.rungs.push_back(k);
-      next.cost_ratio *= candidates_[k].cost_ratio;
-      const Differences with = sum_of(sum, candidates_[k].angle);
+      next.cost_ratio *= candidates_[k].cost_ratio / ground_.cost_ratio;
+      const Differences with = sum_of(sum, candidates_[k].angle, ground_.angle);
       next.predicted = judge(with);
       if (next.predicted.bound_95 < limit_) found_.push_back(next);
       extend(next, k + 1, with);
@@ -56,6 +65,8 @@ class Search {
 
   double limit_;
   const std::vector<Candidate>& candidates_;
+  bool has_working_point_;
+  Candidate ground_;  ///< what the candidates stand on
   std::vector<std::vector<bool>> excluded_;
   std::vector<Combination> found_;
   std::size_t looked_at_ = 0;
@@ -64,6 +75,7 @@ class Search {
 }  // namespace
 
 std::string name_of(const Combination& combination, const std::vector<Candidate>& candidates) {
+  if (combination.rungs.empty()) return sweep::kWorkingPoint;
   std::string name;
   for (const std::size_t rung : combination.rungs)
     name += (name.empty() ? "" : " + ") + candidates[rung].name;
@@ -73,12 +85,13 @@ std::string name_of(const Combination& combination, const std::vector<Candidate>
 bool exclude_each_other(const Candidate& a, const Candidate& b) {
   for (const std::string& one : a.pointers)
     for (const std::string& other : b.pointers)
-      if (leads_to_or_below(one, other) || leads_to_or_below(other, one)) return true;
+      if (is_or_is_below(one, other) || is_or_is_below(other, one)) return true;
   return false;
 }
 
-std::vector<Combination> combinations_within(double limit, const std::vector<Candidate>& candidates) {
-  return Search(limit, candidates).run();
+std::vector<Combination> combinations_within(double limit, const std::vector<Candidate>& candidates,
+                                             const std::optional<Candidate>& working_point) {
+  return Search(limit, candidates, working_point).run();
 }
 
 std::size_t next_after(const std::vector<Combination>& combinations, double cost_ratio) {

@@ -48,6 +48,9 @@ struct Comparison {
   double cpu = 0.0;       ///< mean of a run [s]
   double speed_up = 0.0;  ///< cost of the reference over this
   Judgement angle;        ///< [degrees]
+  /// Angle less that of the working point, mean of all pairs [degrees]; the working point's own is 0. Empty
+  /// where there is none or it did not complete.
+  std::optional<Estimate> off_working_point;
   Estimate density;       ///< relative difference of the column's density [%]
   Estimate mass;          ///< relative difference of the mass on the base [%]
   bool on_front = false;  ///< no other rung, nor the reference, is both cheaper and nearer

@@ -24,7 +24,7 @@ double number_at(const CaseDocument& document, const char* pointer, double other
 /// The default rungs of a case that reads as a scene.
 class Rungs {
  public:
-  Rungs(const CaseDocument& reference, const Scene& scene) : reference_(reference), scene_(scene) {
+  Rungs(const CaseDocument& ground, const Scene& scene) : ground_(ground), scene_(scene) {
     add_steps();
     add_stiffnesses();
     for (const double share : {0.75, 0.5})
@@ -53,7 +53,7 @@ class Rungs {
  private:
   /// Adds a rung if the case is sound with it.
   void add(const std::string& name, const Json& set) {
-    CaseDocument document = reference_;
+    CaseDocument document = ground_;
     Faults faults;
     try {
       for (const auto& [pointer, value] : set.items()) document.set(pointer, value, kFilledIn);
@@ -86,7 +86,7 @@ class Rungs {
   }
 
   void add_sizes() {
-    const double grain = number_at(reference_, "/particles/coarse_graining", 1.0);
+    const double grain = number_at(ground_, "/particles/coarse_graining", 1.0);
     for (const double factor : {1.25, 1.5, 2.0})
       add(fmt::format("grain × {}", factor), {{"/particles/coarse_graining", factor * grain}});
     const auto& classes = scene_.particles.size_classes;
@@ -100,7 +100,7 @@ class Rungs {
   }
 
   void add_shapes() {
-    const Json& shapes = reference_.json().at("particles").at("shapes");
+    const Json& shapes = ground_.json().at("particles").at("shapes");
     bool only_meshes = true, only_spheres = true;
     int most = 0;
     for (const Json& shape : shapes) {
@@ -122,11 +122,11 @@ class Rungs {
 
   /// The entry of a shape, found from anywhere.
   [[nodiscard]] Json absolute(std::size_t index) const {
-    Json shape = reference_.json().at("particles").at("shapes").at(index);
+    Json shape = ground_.json().at("particles").at("shapes").at(index);
     for (const char* key : {"clump", "mesh"}) {
       if (!shape.contains(key)) continue;
       const std::string pointer = fmt::format("/particles/shapes/{}/{}", index, key);
-      shape[key] = std::filesystem::absolute(reference_.resolve(pointer, shape[key].get<std::string>()))
+      shape[key] = std::filesystem::absolute(ground_.resolve(pointer, shape[key].get<std::string>()))
                        .lexically_normal()
                        .string();
     }
@@ -140,33 +140,39 @@ class Rungs {
     double volume = 0.0;
     for (const Clump& clump : scene_.particles.shapes)
       volume += clump.volume / static_cast<double>(scene_.particles.shapes.size());
-    const double grain = number_at(reference_, "/particles/coarse_graining", 1.0);
+    const double grain = number_at(ground_, "/particles/coarse_graining", 1.0);
     shape["diameter_mm"] = 1e3 * std::cbrt(6.0 * volume / kPi) / grain;
     return shape;
   }
 
-  const CaseDocument& reference_;
+  const CaseDocument& ground_;
   const Scene& scene_;
   ShapeCache shapes_;
   Json rungs_ = Json::array();
 };
 
-/// The case with what its ladder's reference sets; faults are left to the sweep, which names them.
-std::optional<CaseDocument> reference_of(const CaseDocument& document) {
-  CaseDocument reference = document;
+/// The case with what its ladder's reference and working point set; faults are left to the sweep, which names
+/// them.
+std::optional<CaseDocument> ground_of(const CaseDocument& document) {
+  CaseDocument ground = document;
   Faults faults;
   try {
     CaseDocument readable = document;
     if (document.find("/chart/rungs") == nullptr) readable.set("/chart/rungs", Json::array(), kFilledIn);
-    for (const sweep::Override& override : sweep::read_ladder(readable, faults).reference.set)
-      reference.set(override.pointer, sweep::with_absolute_paths(document, override), kFilledIn);
+    const sweep::Ladder ladder = sweep::read_ladder(readable, faults);
+    const auto set = [&](const sweep::Variant& variant) {
+      for (const sweep::Override& override : variant.set)
+        ground.set(override.pointer, sweep::with_absolute_paths(document, override), kFilledIn);
+    };
+    set(ladder.reference);
+    if (ladder.has_working_point) set(ladder.rungs.front());
     faults = {};
-    read_scene(reference, faults);
+    read_scene(ground, faults);
   } catch (const InputError&) {
     return std::nullopt;
   }
   if (!faults.empty()) return std::nullopt;
-  return reference;
+  return ground;
 }
 
 }  // namespace
@@ -187,7 +193,7 @@ CaseDocument with_chart(const CaseDocument& document) {
               kFilledIn);
   if (chart.find("/chart/rungs") == nullptr) {
     Json rungs = Json::array();
-    if (const auto reference = reference_of(chart)) rungs = Rungs(*reference, read_scene(*reference)).take();
+    if (const auto ground = ground_of(chart)) rungs = Rungs(*ground, read_scene(*ground)).take();
     chart.set("/chart/rungs", rungs, kFilledIn);
   }
   chart.set("/sweep", {{"design", "chart"}}, kFilledIn);
@@ -198,7 +204,7 @@ CaseDocument with_rungs(const CaseDocument& chart, const std::vector<sweep::Vari
   Json list = *chart.find("/chart/rungs");
   for (const sweep::Variant& rung : rungs) {
     Json set = Json::object();
-    for (const sweep::Override& override : rung.set) set[override.pointer] = override.value;
+    for (const sweep::Override& override : rung.own()) set[override.pointer] = override.value;
     list.push_back({{"name", rung.name}, {"set", std::move(set)}});
   }
   CaseDocument longer = chart;

@@ -32,8 +32,13 @@ class LadderReader {
       fault(kChart, chart == nullptr ? "is missing: the case has no ladder to chart" : "must be an object");
       return ladder;
     }
-    check_keys(kChart, *chart, {"reference", "rungs", "frictions", "replicates", "rung_replicates", "seed"});
+    check_keys(kChart, *chart,
+               {"reference", "working_point", "rungs", "frictions", "replicates", "rung_replicates", "seed"});
     ladder.reference.set = read_overrides(std::string(kChart) + "/reference", false);
+    ladder.has_working_point = chart->contains("working_point");
+    if (ladder.has_working_point)
+      ladder.rungs.push_back(on_working_point(read_overrides(std::string(kChart) + "/working_point", true),
+                                              {kWorkingPoint, {}}));
     read_rungs(ladder);
     read_frictions(ladder);
     ladder.replicates = static_cast<int>(read_integer("replicates", 5, 2, kMostChartReplicates));
@@ -104,7 +109,9 @@ class LadderReader {
     const Json* rungs = document_.find(place);
     if (rungs == nullptr || !rungs->is_array() || rungs->empty())
       return fault(place, rungs == nullptr ? "is missing" : "must be a list of at least one rung");
+    const Variant working_point = ladder.has_working_point ? ladder.rungs.front() : Variant();
     std::vector<std::string> names = {kReference};
+    if (ladder.has_working_point) names.emplace_back(kWorkingPoint);
     for (std::size_t i = 0; i < rungs->size(); ++i) {
       const std::string here = fmt::format("{}/{}", place, i);
       const Json& rung = (*rungs)[i];
@@ -117,10 +124,12 @@ class LadderReader {
       const std::string name = named ? rung["name"].get<std::string>() : "";
       if (!named) fault(here + "/name", "must be a text that is not empty");
       if (std::ranges::find(names, name) != names.end())
-        fault(here + "/name", name == kReference ? "is the name of what rungs are compared with"
-                                                 : "stands in this ladder twice");
+        fault(here + "/name", name == kReference      ? "is the name of what rungs are compared with"
+                              : name == kWorkingPoint ? "is the name of what rungs stand on"
+                                                      : "stands in this ladder twice");
       if (named) names.push_back(name);
-      ladder.rungs.push_back({name, read_overrides(here + "/set", true)});
+      ladder.rungs.push_back(
+          on_working_point(working_point.set, {name, read_overrides(here + "/set", true)}));
     }
   }
 
@@ -177,6 +186,19 @@ void for_each_path(Value& value, const std::string& pointer, const std::string& 
 
 }  // namespace
 
+Variant on_working_point(std::span<const Override> working_point, Variant variant) {
+  std::vector<Override> set;
+  for (const Override& shared : working_point) {
+    const bool replaced = std::ranges::any_of(
+        variant.set, [&](const Override& own) { return is_or_is_below(shared.pointer, own.pointer); });
+    if (!replaced) set.push_back(shared);
+  }
+  variant.shared = set.size();
+  set.insert(set.end(), variant.set.begin(), variant.set.end());
+  variant.set = std::move(set);
+  return variant;
+}
+
 Ladder read_ladder(const CaseDocument& document, Faults& faults) {
   return LadderReader(document, faults).read();
 }
@@ -193,6 +215,7 @@ std::vector<std::string> shape_paths(const CaseDocument& document) {
   if (const Json* shapes = document.find("/particles/shapes"))
     for_each_path(*shapes, "/particles/shapes", "/particles/shapes", note);
   walk_overrides("/chart/reference");
+  walk_overrides("/chart/working_point");
   if (const Json* rungs = document.find("/chart/rungs"); rungs != nullptr && rungs->is_array())
     for (std::size_t i = 0; i < rungs->size(); ++i) walk_overrides(fmt::format("/chart/rungs/{}/set", i));
   return places;

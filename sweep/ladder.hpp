@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,12 +21,19 @@ struct Override {
 struct Variant {
   std::string name;
   std::vector<Override> set;
+  std::size_t shared = 0;  ///< how many of them, the first, are the working point's
+
+  /// What it sets itself; of the working point nothing.
+  [[nodiscard]] std::span<const Override> own() const { return std::span(set).subspan(shared); }
 };
 
 /// What /chart of a case says, checked: simplifications that are compared with a reference.
 struct Ladder {
-  Variant reference;           ///< the case itself where it sets nothing
-  std::vector<Variant> rungs;  ///< each is set on top of the reference
+  Variant reference;  ///< the case itself where it sets nothing
+  /// Each is set on top of the reference. Where there is a working point it is the first, and the others
+  /// stand on it.
+  std::vector<Variant> rungs;
+  bool has_working_point = false;
   std::vector<std::string> friction_names;
   std::vector<std::vector<double>> frictions;  ///< one entry a set, in the order of the names
   int replicates = 5;                          ///< runs of the reference with a set
@@ -38,10 +46,17 @@ struct Ladder {
 
 /// Name of the reference among the variants.
 inline constexpr const char* kReference = "reference";
+/// Name of the working point among the rungs.
+inline constexpr const char* kWorkingPoint = "working point";
+
+/// What a working point sets, then what stands on it: of the working point's all that this does not replace,
+/// the same pointer or one above it.
+Variant on_working_point(std::span<const Override> working_point, Variant variant);
 
 /// Reads /chart of a case:
 ///
 ///     "reference": {"/numerics/time_step_fraction": 0.1}        may be left out
+///     "working_point": {"/numerics/stiffness_scale": 0.001}     may be left out: then the reference
 ///     "rungs": [{"name": "soft", "set": {"/numerics/stiffness_scale": 0.01}}, …]
 ///     "frictions": [{"mu_s": 0.2, "mu_r": 0.05}, …]             all of the same factors
 ///     "replicates": 5, "rung_replicates": 5, "seed": 1          these are the defaults

@@ -156,6 +156,10 @@ std::optional<std::vector<std::string>> pointer_parts(std::string_view pointer) 
   return parts;
 }
 
+bool is_or_is_below(std::string_view pointer, std::string_view other) {
+  return pointer.starts_with(other) && (pointer.size() == other.size() || pointer[other.size()] == '/');
+}
+
 std::string pointer_to(std::string_view parent, std::string_view key) {
   std::string pointer = std::string(parent) + "/";
   for (const char c : key) {

@@ -29,6 +29,9 @@ std::optional<std::vector<std::string>> pointer_parts(std::string_view pointer);
 /// pointer + "/" + the key, escaped.
 std::string pointer_to(std::string_view parent, std::string_view key);
 
+/// Whether a pointer is another or leads to something below it: "/a/b" and "/a", not "/ab" and "/a".
+bool is_or_is_below(std::string_view pointer, std::string_view other);
+
 /// The entry of a list that a part of a pointer names ("0", "12", not "01"), or nothing.
 std::optional<std::size_t> list_index(std::string_view part);
 

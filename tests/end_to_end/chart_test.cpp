@@ -161,6 +161,33 @@ TEST(Chart, ChoosesConfirmsAndWritesACaseThatInherits) {
   EXPECT_EQ(simulated.code, 0) << simulated.err;
 }
 
+TEST(Chart, ChoosesOnTheWorkingPointThatRungsStandOn) {
+  const TemporaryFolder folder;
+  Json json = tiny_chart(2);
+  json["chart"]["working_point"] = {{"/numerics/rest_energy_ratio", 1e-4},
+                                    {"/numerics/settle_energy_ratio", 1e-3}};
+  json["chart"]["rungs"] = Json::parse(R"([
+    {"name": "faster settling", "set": {"/numerics/settle_energy_ratio": 1e-2}},
+    {"name": "instant", "set": {"/test/opening": "instant"}}])");
+  // Any error will do: every combination is the working point with what its rungs set.
+  const Finished run = chart(folder, "study", json, {"--json", "--choose", "60"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Json result = Json::parse(run.out);
+  const Json& rungs = result.at("rungs");
+  EXPECT_EQ(rungs[0].at("name"), "working point");
+  EXPECT_EQ(rungs[0].at("off_working_point_deg").at("value"), 0.0);
+  // A rung's difference to the working point is that of their differences to the reference: the same runs.
+  const auto value = [](const Json& rung, const char* key) { return rung.at(key).at("value").get<double>(); };
+  EXPECT_NEAR(value(rungs[1], "off_working_point_deg"),
+              value(rungs[1], "angle_difference_deg") - value(rungs[0], "angle_difference_deg"), 1e-9);
+  const std::string name = result.at("choice").at("chosen");
+  const Json chosen = Json::parse(text_of(folder / "study/chosen.json"));
+  EXPECT_EQ(chosen.at("numerics").at("rest_energy_ratio"), 1e-4);
+  EXPECT_EQ(chosen.at("numerics").at("settle_energy_ratio"),
+            name.find("faster settling") != std::string::npos ? 1e-2 : 1e-3);
+  EXPECT_EQ(chosen.contains("test"), name.find("instant") != std::string::npos);
+}
+
 TEST(Chart, SaysWhereNothingCanBeChosen) {
   const TemporaryFolder folder;
   Json json = tiny_chart(2);

@@ -23,10 +23,13 @@ std::string signed_estimate(const chart::Estimate& estimate, int digits) {
 std::string line_of(const chart::Chart& chart, const chart::Comparison& rung, std::size_t width) {
   const chart::Judgement& angle = rung.angle;
   return fmt::format(
-      "{} {:9.3g} {:8.2f}  {}  {}  {:5.2f}{}  {}  {}  {}\n", padded(rung.name, width), rung.cpu,
+      "{} {:9.3g} {:8.2f}  {}  {}  {:5.2f}{}  {}  {}  {}{}\n", padded(rung.name, width), rung.cpu,
       rung.speed_up, padded(signed_estimate(angle.mean, 2), 13), padded(signed_estimate(angle.worst, 2), 13),
       angle.bound_95, angle.depends_on_friction ? "*" : " ", padded(signed_estimate(rung.density, 1), 11),
       padded(signed_estimate(rung.mass, 1), 11),
+      chart.working_point.empty()
+          ? ""
+          : padded(rung.off_working_point ? signed_estimate(*rung.off_working_point, 2) : "", 15),
       (rung.on_front ? "front " : "") +
           (chart.frictions.size() > 1 ? "worst at " + chart.frictions[angle.worst_at] : std::string()));
 }
@@ -50,10 +53,11 @@ std::string in_words(const chart::Chart& chart) {
   }
   std::ranges::stable_sort(order, [](const auto* a, const auto* b) { return a->cpu > b->cpu; });
   std::string text =
-      fmt::format("{} {:>9} {:>8}  {}  {}  {}  {}  {}\n{} {:9.3g} {:8.2f}  scatter of one run {:.2f}°\n",
+      fmt::format("{} {:>9} {:>8}  {}  {}  {}  {}  {}  {}\n{} {:9.3g} {:8.2f}  scatter of one run {:.2f}°\n",
                   padded("rung", width), "CPU s", "speed-up", padded("angle diff. °", 13),
                   padded("worst °", 13), "<95 % ", padded("density %", 11), padded("mass %", 11),
-                  padded("reference", width), chart.reference_cpu, 1.0, chart.scatter);
+                  chart.working_point.empty() ? "" : "off working pt.", padded("reference", width),
+                  chart.reference_cpu, 1.0, chart.scatter);
   bool any_dependence = false;
   for (const chart::Comparison* rung : order) {
     text += line_of(chart, *rung, width);

@@ -72,7 +72,8 @@ const chart::Comparison& measured(const chart::Chart& chart, const std::string& 
 /// Tries the cheapest combinations that should do until one does; false: interrupted.
 bool choose(Session& session, double limit) {
   const std::vector<chart::Candidate> candidates = chart::candidates_of(session.chart);
-  const std::vector<chart::Combination> combinations = chart::combinations_within(limit, candidates);
+  const std::vector<chart::Combination> combinations =
+      chart::combinations_within(limit, candidates, chart::working_point_of(session.chart));
   session.trials.reserve(static_cast<std::size_t>(session.options.tries));
   std::size_t next = 0;
   while (next < combinations.size() && static_cast<int>(session.trials.size()) < session.options.tries) {

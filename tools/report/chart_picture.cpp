@@ -99,9 +99,13 @@ class ChartPlot {
         "set nonlinear y via sqrt(y) inverse y*y\n";
     before_ += fmt::format("set xrange [{:.9g}:{:.9g}]\nset yrange [0:{:.9g}]\n", x_low_, x_high_, y_high_);
     before_ += tics("x", x_low_, x_high_, 1.0, "");
-    std::string ticks;
-    for (const double tick : {0.0, 0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 40.0})
-      if (tick <= y_high_) ticks += fmt::format("{}'{:g}°' {:g}", ticks.empty() ? "" : ", ", tick, tick);
+    std::string ticks = "'0°' 0";
+    double last = kBottom;
+    for (const double tick : {0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 40.0}) {
+      if (tick > y_high_ || last - y_of(tick) < 1.2 * kLine) continue;
+      ticks += fmt::format(", '{0:g}°' {0:g}", tick);
+      last = y_of(tick);
+    }
     before_ += fmt::format("set ytics ({})\n", ticks);
     before_ +=
         "set xlabel 'CPU seconds a run' tc rgb '#22303c'\n"

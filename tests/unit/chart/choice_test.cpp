@@ -88,6 +88,35 @@ TEST(CombinationsWithin, CountTheNoiseOfTheReferenceAsOftenAsItOccurs) {
               0.4 * 0.1 * std::sqrt(6.0 / 24.0));
 }
 
+TEST(CombinationsWithin, StandOnTheWorkingPoint) {
+  // The working point is 0.3 off at a tenth of the cost. On it "soft" adds 0.25 − 0.3 and halves the cost,
+  // and "rain" adds −0.2 − 0.3: together 0.3 − 0.05 − 0.5 = −0.25 at 0.1 · 0.5 · 0.8.
+  const Candidate working_point = candidate("working point", {}, 0.3, 0.1);
+  const std::vector<Candidate> rungs = {candidate("soft", {"/numerics/stiffness_scale"}, 0.25, 0.05),
+                                        candidate("rain", {"/test/filling"}, -0.2, 0.08)};
+  const auto found = combinations_within(0.5, rungs, working_point);
+  ASSERT_EQ(found.size(), 4U);
+  EXPECT_EQ(name_of(found[0], rungs), "soft + rain");
+  EXPECT_NEAR(found[0].cost_ratio, 0.04, 1e-12);
+  EXPECT_NEAR(found[0].predicted.mean.value, -0.25, 1e-12);
+  EXPECT_EQ(name_of(found[3], rungs), "working point");
+  EXPECT_NEAR(found[3].predicted.mean.value, 0.3, 1e-12);
+  const auto alone = combinations_within(0.5, {}, working_point);
+  ASSERT_EQ(alone.size(), 1U);
+  EXPECT_TRUE(alone.front().rungs.empty());
+}
+
+TEST(CombinationsWithin, CountTheNoiseOfTheWorkingPointAsOftenAsItOccurs) {
+  // a − w and b − w on w − r: (a − w) + (b − w) + (w − r) = a + b − w − r, of variance 4 σ². 21 degrees of
+  // freedom: 40 % are about two and a half standard errors of s.
+  const std::vector<Candidate> rungs = {candidate("a", {"/test/filling"}, 0.0, 0.5, 0.1, 1),
+                                        candidate("b", {"/numerics/stiffness_scale"}, 0.0, 0.5, 0.1, 2)};
+  const auto found = combinations_within(10.0, rungs, candidate("working point", {}, 0.0, 0.8, 0.1, 3));
+  EXPECT_EQ(name_of(found.front(), rungs), "a + b");
+  EXPECT_NEAR(found.front().predicted.mean.standard_error, 0.1 * std::sqrt(4.0 / 24.0),
+              0.4 * 0.1 * std::sqrt(4.0 / 24.0));
+}
+
 TEST(CombinationsWithin, AreNoneWhereTheNoiseIsLarger) {
   const std::vector<Candidate> rungs = {candidate("a", {"/test/filling"}, 0.0, 0.5, 3.0, 1)};
   EXPECT_TRUE(combinations_within(0.5, rungs).empty());

@@ -23,13 +23,13 @@ TEST(Kinds, AreWhatARungSets) {
       (Kinds{"stiffness_scale", "stiffness_scale", "shapes", "stiffness_scale+filling"}));
 }
 
-TEST(Kinds, LeaveOutWhatMostRungsShare) {
-  const CaseDocument::Json soft = 0.001;
-  EXPECT_EQ(kinds_of({rung({{"/numerics/stiffness_scale", soft}}),
-                      rung({{"/numerics/stiffness_scale", soft}, {"/test/filling", "rain"}}),
-                      rung({{"/numerics/stiffness_scale", 0.01}}),
-                      rung({{"/numerics/stiffness_scale", soft}, {"/test/opening", "instant"}})}),
-            (Kinds{"", "filling", "stiffness_scale", "opening"}));
+TEST(Kinds, LeaveOutWhatTheWorkingPointSets) {
+  const sweep::Variant working_point =
+      rung({{"/numerics/stiffness_scale", 0.001}, {"/test/filling", "rain"}});
+  const auto on = [&](const sweep::Variant& own) { return on_working_point(working_point.set, own); };
+  EXPECT_EQ(kinds_of({on({}), on(rung({{"/test/opening", "instant"}})),
+                      on(rung({{"/numerics/stiffness_scale", 0.01}, {"/test/filling", "rain"}}))}),
+            (Kinds{"", "opening", "stiffness_scale+filling"}));
 }
 
 }  // namespace

@@ -85,6 +85,69 @@ TEST(ChartDesign, RunsRungsMoreOftenThanTheReferenceWhereAskedTo) {
             std::string::npos);
 }
 
+TEST(ChartDesign, RungsStandOnTheWorkingPointThatIsTheFirst) {
+  Json chart = small_chart();
+  chart["working_point"] = {{"/test/filling", "packing"}, {"/particles/total_mass_kg", 0.01}};
+  const Plan plan = make_plan(document_of(charted(chart)));
+  ASSERT_EQ(plan.points.size(), 12U);
+  EXPECT_EQ(plan.variant_of(0), "reference");
+  EXPECT_EQ(plan.points[0].scene.particles.total_mass,
+            make_plan(document_of(charted(small_chart()))).points[0].scene.particles.total_mass);
+  EXPECT_EQ(plan.variant_of(3), "working point");
+  EXPECT_EQ(plan.points[3].scene.test.filling, Filling::packing);
+  EXPECT_EQ(plan.points[3].scene.numerics.time_step_fraction, 0.1) << "it stands on the reference";
+  EXPECT_EQ(plan.points[6].scene.particles.total_mass, 0.01);
+  EXPECT_EQ(plan.points[6].scene.numerics.time_step_fraction, 0.4);
+  EXPECT_EQ(plan.points[9].scene.test.filling, Filling::rain) << "a rung replaces what it sets";
+  EXPECT_EQ(plan.points[9].scene.particles.total_mass, 0.01);
+}
+
+/// The same runs whether shared settings are written once or with every rung.
+TEST(ChartDesign, WorkingPointIsShorthand) {
+  Json once = small_chart(), often = small_chart();
+  const Json shared = {{"/test/filling", "packing"}, {"/particles/shapes/0/diameter_mm", 7}};
+  once["working_point"] = shared;
+  once["rungs"].push_back(
+      {{"name", "large"}, {"set", {{"/particles/shapes", {{{"sphere", true}, {"diameter_mm", 9}}}}}}});
+  often["rungs"][0]["set"].update(shared);
+  often["rungs"][1]["set"]["/particles/shapes/0/diameter_mm"] = 7;
+  often["rungs"].push_back(
+      {{"name", "large"},
+       {"set",
+        {{"/particles/shapes", {{{"sphere", true}, {"diameter_mm", 9}}}}, {"/test/filling", "packing"}}}});
+  often["rungs"].push_back({{"name", "shared"}, {"set", shared}});
+  const auto keys = [](const Json& chart) {
+    std::set<std::string> keys;
+    for (const PlannedRun& run : make_plan(document_of(charted(chart))).runs) keys.insert(run.key);
+    return keys;
+  };
+  EXPECT_EQ(keys(once), keys(often));
+}
+
+TEST(ChartDesign, NamesFaultsOfTheWorkingPointOnce) {
+  Json chart = small_chart();
+  chart["working_point"] = {{"/numerics/stiffness_scale", -1}, {"/numerics/time_stop", 1}};
+  chart["rungs"][0]["name"] = "working point";
+  chart["rungs"][1]["set"].erase("/numerics/stiffness_scale");
+  const std::string message = message_of([&] { make_plan(document_of(charted(chart))); });
+  EXPECT_NE(message.find("/chart/working_point/~1numerics~1time_stop = 1: is not known"), std::string::npos)
+      << message;
+  EXPECT_NE(message.find("/chart/rungs/0/name = \"working point\": is the name of what rungs stand on"),
+            std::string::npos)
+      << message;
+  chart["working_point"].erase("/numerics/time_stop");
+  chart["rungs"][0]["name"] = "long step";
+  const std::string value = message_of([&] { make_plan(document_of(charted(chart))); });
+  const std::string fault = "/chart/working_point/~1numerics~1stiffness_scale = -1: must be";
+  ASSERT_NE(value.find(fault), std::string::npos) << value;
+  EXPECT_EQ(value.find(fault, value.find(fault) + 1), std::string::npos) << value;
+  chart["working_point"] = Json::object();
+  EXPECT_NE(message_of([&] {
+              make_plan(document_of(charted(chart)));
+            }).find("/chart/working_point = {}: must be an object with at least one"),
+            std::string::npos);
+}
+
 TEST(ChartDesign, NamesEveryFaultAtItsPlace) {
   Json chart = small_chart();
   chart["rung"] = 1;
