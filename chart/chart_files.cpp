@@ -50,7 +50,9 @@ std::string chart_csv(const Chart& chart) {
       "rung,outcomes,completed,cpu_s,speed_up,angle_difference_deg,angle_difference_se_deg,"
       "worst_difference_deg,worst_difference_se_deg,worst_at,dependence_p,error_deg,error_se_deg,"
       "error_bound_95_deg,density_difference_percent,density_difference_se_percent,"
-      "mass_difference_percent,mass_difference_se_percent,off_working_point_deg,off_working_point_se_deg,"
+      "mass_difference_percent,mass_difference_se_percent,worst_mass_difference_percent,"
+      "worst_mass_difference_se_percent,worst_mass_at,mass_dependence_p,off_working_point_deg,off_working_"
+      "point_se_deg,"
       "on_front,set\n";
   for (std::size_t k = 0; k < chart.rungs.size(); ++k) {
     const Comparison& rung = chart.rungs[k];
@@ -61,10 +63,12 @@ std::string chart_csv(const Chart& chart) {
       const Judgement& angle = rung.angle;
       text += cells(angle.mean) + cells(angle.worst) +
               fmt::format(",{},{:.4g}", quoted(chart.frictions[angle.worst_at]), angle.dependence_p) +
-              cells(angle.error) + fmt::format(",{:.6g}", angle.bound_95) + cells(rung.density) +
-              cells(rung.mass) + (rung.off_working_point ? cells(*rung.off_working_point) : ",,");
+              cells(angle.error) + fmt::format(",{:.6g}", angle.bound_95) + cells(rung.density.mean) +
+              cells(rung.mass.mean) + cells(rung.mass.worst) +
+              fmt::format(",{},{:.4g}", quoted(chart.frictions[rung.mass.worst_at]), rung.mass.dependence_p) +
+              (rung.off_working_point ? cells(*rung.off_working_point) : ",,");
     } else {
-      text += std::string(15, ',');
+      text += std::string(19, ',');
     }
     text += fmt::format(",{},{}\n", rung.on_front ? 1 : 0, quoted(set_of(chart.variants[k]).dump()));
   }
@@ -84,8 +88,10 @@ Json to_json(const Comparison& rung, const sweep::Variant& variant) {
   json["dependence_p"] = known(angle.dependence_p);
   json["error_deg"] = known(to_json(angle.error));
   json["error_bound_95_deg"] = known(angle.bound_95);
-  json["density_difference_percent"] = known(to_json(rung.density));
-  json["mass_difference_percent"] = known(to_json(rung.mass));
+  json["density_difference_percent"] = known(to_json(rung.density.mean));
+  json["mass_difference_percent"] = known(to_json(rung.mass.mean));
+  json["mass_by_friction_percent"] = known(to_json(rung.mass.by_set));
+  json["mass_dependence_p"] = known(rung.mass.dependence_p);
   json["off_working_point_deg"] = rung.off_working_point ? to_json(*rung.off_working_point) : Json();
   json["on_front"] = rung.on_front;
   return json;

@@ -25,9 +25,9 @@ Differences differences_of(const Samples& test, const Samples& reference, double
   return differences;
 }
 
-Estimate relative_percent(const Samples& test, const Samples& reference, double Sample::*response) {
+Judgement relative_percent(const Samples& test, const Samples& reference, double Sample::*response) {
   const auto percent = [](double one, double other) { return 100.0 * (one / other - 1.0); };
-  return judge(differences_of(test, reference, response, percent)).mean;
+  return judge(differences_of(test, reference, response, percent));
 }
 
 }  // namespace

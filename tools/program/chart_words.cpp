@@ -25,8 +25,9 @@ std::string line_of(const chart::Chart& chart, const chart::Comparison& rung, st
   return fmt::format(
       "{} {:9.3g} {:8.2f}  {}  {}  {:5.2f}{}  {}  {}  {}{}\n", padded(rung.name, width), rung.cpu,
       rung.speed_up, padded(signed_estimate(angle.mean, 2), 13), padded(signed_estimate(angle.worst, 2), 13),
-      angle.bound_95, angle.depends_on_friction ? "*" : " ", padded(signed_estimate(rung.density, 1), 11),
-      padded(signed_estimate(rung.mass, 1), 11),
+      angle.bound_95, angle.depends_on_friction ? "*" : " ",
+      padded(signed_estimate(rung.density.mean, 1), 11),
+      padded(signed_estimate(rung.mass.mean, 1) + (rung.mass.depends_on_friction ? "*" : ""), 12),
       chart.working_point.empty()
           ? ""
           : padded(rung.off_working_point ? signed_estimate(*rung.off_working_point, 2) : "", 15),
@@ -55,17 +56,19 @@ std::string in_words(const chart::Chart& chart) {
   std::string text =
       fmt::format("{} {:>9} {:>8}  {}  {}  {}  {}  {}  {}\n{} {:9.3g} {:8.2f}  scatter of one run {:.2f}°\n",
                   padded("rung", width), "CPU s", "speed-up", padded("angle diff. °", 13),
-                  padded("worst °", 13), "<95 % ", padded("density %", 11), padded("mass %", 11),
+                  padded("worst °", 13), "<95 % ", padded("density %", 11), padded("mass %", 12),
                   chart.working_point.empty() ? "" : "off working pt.", padded("reference", width),
                   chart.reference_cpu, 1.0, chart.scatter);
   bool any_dependence = false;
   for (const chart::Comparison* rung : order) {
     text += line_of(chart, *rung, width);
-    any_dependence = any_dependence || rung->angle.depends_on_friction;
+    any_dependence = any_dependence || rung->angle.depends_on_friction || rung->mass.depends_on_friction;
   }
   text += "<95 %: the error is below this with 95 % confidence";
   if (any_dependence)
-    text += "; * depends on the frictions (F test, 25 % level): bound of the worst set, else of the mean";
+    text +=
+        "; * depends on the frictions (F test, 25 % level), the bound is then of the worst set, else of the "
+        "mean";
   text += "\n";
   for (const chart::Comparison& rung : chart.rungs)
     if (!rung.completed)

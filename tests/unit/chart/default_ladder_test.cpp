@@ -23,9 +23,11 @@ TEST(DefaultLadder, IsSoundForEveryShippedCase) {
     if (file.filename() == "spheres_per_clump.json") continue;  // makes its clumps, which takes a minute
     const CaseDocument document = CaseDocument::load(file);
     const sweep::Plan plan = sweep::make_plan(with_chart(document));
-    // A case that brings its own ladder keeps it: its rungs and the reference with each set of frictions.
+    // A case that brings its own ladder keeps it: its rungs, the reference and the working point with each
+    // set of frictions.
+    const std::size_t more = document.find("/chart/working_point") != nullptr ? 2 : 1;
     if (const auto own = document.find("/chart/rungs"))
-      EXPECT_EQ(plan.points.size(), document.find("/chart/frictions")->size() * (own->size() + 1)) << file;
+      EXPECT_EQ(plan.points.size(), document.find("/chart/frictions")->size() * (own->size() + more)) << file;
     else
       EXPECT_GE(plan.points.size(), 3U * 10U) << file;
   }
@@ -70,6 +72,15 @@ TEST(DefaultLadder, StandsOnTheReference) {
   document.set("/chart", CaseDocument::Json::parse(R"({"reference": {"/numerics/time_step_fraction": 0.1}})"),
                "test");
   EXPECT_TRUE(names_of(document).contains("step 0.2 T_R"));
+}
+
+TEST(DefaultLadder, StandsOnTheWorkingPoint) {
+  CaseDocument document = CaseDocument::load("cases/quick.json");
+  document.set("/chart", CaseDocument::Json::parse(R"({"reference": {"/numerics/time_step_fraction": 0.1},
+    "working_point": {"/test/filling": "packing", "/numerics/time_step_fraction": 0.3}})"),
+               "test");
+  EXPECT_TRUE(names_of(document).contains("step 0.6 T_R"));
+  EXPECT_FALSE(names_of(document).contains("rain"));
 }
 
 }  // namespace
