@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "engine/scene/case_keys.hpp"
 #include "engine/scene/json_file.hpp"
 #include "sweep/ladder.hpp"
 
@@ -38,13 +39,18 @@ class Search {
   std::vector<Combination> run() {
     if (ground_.angle.empty()) return {};
     const Combination alone{{}, ground_.cost_ratio, judge(ground_.angle)};
-    if (has_working_point_ && alone.predicted.bound_95 < limit_) found_.push_back(alone);
+    if (has_working_point_) keep(alone);
     extend(alone, 0, ground_.angle);
     std::ranges::stable_sort(found_, {}, &Combination::cost_ratio);
     return std::move(found_);
   }
 
  private:
+  void keep(const Combination& combination) {
+    if (combination.predicted.bound_95 < limit_ && combination.cost_ratio < 1.0)
+      found_.push_back(combination);
+  }
+
   void extend(const Combination& sofar, std::size_t first, const Differences& sum) {
     for (std::size_t k = first; k < candidates_.size(); ++k) {
       const bool free =
@@ -58,7 +64,7 @@ class Search {
       next.cost_ratio *= candidates_[k].cost_ratio / ground_.cost_ratio;
       const Differences with = sum_of(sum, candidates_[k].angle, ground_.angle);
       next.predicted = judge(with);
-      if (next.predicted.bound_95 < limit_) found_.push_back(next);
+      keep(next);
       extend(next, k + 1, with);
     }
   }
@@ -85,7 +91,7 @@ std::string name_of(const Combination& combination, const std::vector<Candidate>
 bool exclude_each_other(const Candidate& a, const Candidate& b) {
   for (const std::string& one : a.pointers)
     for (const std::string& other : b.pointers)
-      if (is_or_is_below(one, other) || is_or_is_below(other, one)) return true;
+      if (is_or_is_below(one, other) || is_or_is_below(other, one) || are_rivals(one, other)) return true;
   return false;
 }
 

@@ -26,17 +26,17 @@ struct Combination {
 /// "rain + stiffness 0.01", or "working point".
 std::string name_of(const Combination& combination, const std::vector<Candidate>& candidates);
 
-/// Whether two rungs set the same thing: the same pointer, or one below the other.
+/// Whether two rungs set the same thing: the same pointer, one below the other, or its rival (rival_keys()).
 bool exclude_each_other(const Candidate& a, const Candidate& b);
 
 /// Most combinations that are looked at.
 inline constexpr std::size_t kMostCombinations = 1'000'000;
 
-/// Every combination of rungs that do not exclude each other whose predicted error is below `limit` [degrees]
-/// with 95 % confidence, the cheapest first. The differences are summed run by run, so that the noise of the
-/// reference, which all of them share, counts as often as it occurs. On a working point, itself one of the
-/// combinations, a rung adds its difference to that, and multiplies the cost by its ratio to that. Throws
-/// std::length_error beyond kMostCombinations.
+/// Every combination of rungs that do not exclude each other that is cheaper than the reference and whose
+/// predicted error is below `limit` [degrees] with 95 % confidence, the cheapest first. The differences are
+/// summed run by run, so that the noise of the reference, which all of them share, counts as often as it
+/// occurs. On a working point, itself one of the combinations, a rung adds its difference to that, and
+/// multiplies the cost by its ratio to that. Throws std::length_error beyond kMostCombinations.
 std::vector<Combination> combinations_within(double limit, const std::vector<Candidate>& candidates,
                                              const std::optional<Candidate>& working_point = std::nullopt);
 

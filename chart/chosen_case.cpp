@@ -1,6 +1,7 @@
 #include "chart/chosen_case.hpp"
 
 #include "engine/scene/json_file.hpp"
+#include "engine/scene/tidy_path.hpp"
 
 namespace repose::chart {
 
@@ -9,23 +10,27 @@ namespace {
 namespace fs = std::filesystem;
 using Json = CaseDocument::Json;
 
+/// The way from a folder to a file as the system goes it: links in either are followed first.
 std::string seen_from(const fs::path& folder, const fs::path& file) {
-  return fs::absolute(file)
-      .lexically_normal()
-      .lexically_relative(fs::absolute(folder).lexically_normal())
-      .string();
+  return fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(folder)).string();
 }
 
-/// The pointer itself, or that of the list that it leads into.
-std::string whole_of(const CaseDocument& document, const std::string& pointer) {
-  std::string part;
-  const auto parts = pointer_parts(pointer);
-  for (const std::string& name : *parts) {
-    part = pointer_to(part, name);
-    const Json* value = document.find(part);
-    if (value != nullptr && value->is_array()) return part;
+/// What turns one object into another when it is merged into it (RFC 7386): null for what is no longer there,
+/// objects key by key, all else whole. Empty where they are equal.
+Json patch_between(const Json& from, const Json& to) {
+  Json patch = Json::object();
+  for (const auto& [key, value] : from.items())
+    if (!to.contains(key)) patch[key] = nullptr;
+  for (const auto& [key, value] : to.items()) {
+    const auto before = from.find(key);
+    if (before == from.end())
+      patch[key] = value;
+    else if (value.is_object() && before->is_object()) {
+      if (Json below = patch_between(*before, value); !below.empty()) patch[key] = std::move(below);
+    } else if (value != *before)
+      patch[key] = value;
   }
-  return pointer;
+  return patch;
 }
 
 }  // namespace
@@ -35,21 +40,16 @@ Json chosen_case(const CaseDocument& document, const std::vector<sweep::Variant>
   CaseDocument chosen = document;
   for (const sweep::Variant& variant : variants)
     for (const sweep::Override& override : variant.set)
-      chosen.set(override.pointer, override.value, "the chart");
+      chosen.set(override.pointer, override.value, override.place);
 
-  CaseDocument moved = chosen;
+  Json given = document.json(), wanted = chosen.json();
+  for (const char* own : {"title", "sweep", "chart"}) given.erase(own), wanted.erase(own);
+  Json json = {{"base", seen_from(folder, document.file())}, {"title", title}};
+  json.update(patch_between(given, wanted));
   for (const std::string& place : sweep::shape_paths(chosen)) {
     if (!place.starts_with("/particles/")) continue;
-    const fs::path file = chosen.resolve(place, chosen.find(place)->get<std::string>());
-    moved.set(place, seen_from(folder, file), "the chart");
-  }
-  Json json = {{"base", seen_from(folder, document.file())}, {"title", title}};
-  for (const sweep::Variant& variant : variants) {
-    for (const sweep::Override& override : variant.set) {
-      const std::string pointer = whole_of(chosen, override.pointer);
-      const Json* value = moved.find(pointer);
-      json[Json::json_pointer(pointer)] = value == nullptr ? Json() : *value;
-    }
+    if (Json* path = value_at(json, place))
+      *path = seen_from(folder, chosen.resolve(place, chosen.find(place)->get<std::string>()));
   }
   return json;
 }

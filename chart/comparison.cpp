@@ -85,8 +85,9 @@ void mark_front(std::vector<Comparison>& rungs, double reference_cpu) {
   for (Comparison& rung : rungs) {
     rung.on_front = rung.completed && rung.cpu < reference_cpu &&
                     std::ranges::none_of(rungs, [&](const Comparison& other) {
-                      return other.completed && &other != &rung && other.cpu <= rung.cpu &&
-                             other.angle.error.value <= rung.angle.error.value;
+                      const double cost = other.cpu - rung.cpu;
+                      const double error = other.angle.error.value - rung.angle.error.value;
+                      return other.completed && cost <= 0.0 && error <= 0.0 && (cost < 0.0 || error < 0.0);
                     });
   }
 }

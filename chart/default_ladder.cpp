@@ -6,7 +6,9 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/scene/case_keys.hpp"
 #include "engine/scene/scene_reader.hpp"
+#include "engine/scene/tidy_path.hpp"
 
 namespace repose::chart {
 
@@ -14,7 +16,7 @@ namespace {
 
 using Json = CaseDocument::Json;
 
-constexpr const char* kFilledIn = "the default ladder";
+constexpr const char* kFilledIn = sweep::kDefaultLadder;
 
 double number_at(const CaseDocument& document, const char* pointer, double otherwise) {
   const Json* value = document.find(pointer);
@@ -126,9 +128,8 @@ class Rungs {
     for (const char* key : {"clump", "mesh"}) {
       if (!shape.contains(key)) continue;
       const std::string pointer = fmt::format("/particles/shapes/{}/{}", index, key);
-      shape[key] = std::filesystem::absolute(ground_.resolve(pointer, shape[key].get<std::string>()))
-                       .lexically_normal()
-                       .string();
+      shape[key] =
+          tidy(std::filesystem::absolute(ground_.resolve(pointer, shape[key].get<std::string>()))).string();
     }
     return shape;
   }
@@ -151,8 +152,8 @@ class Rungs {
   Json rungs_ = Json::array();
 };
 
-/// The case with what its ladder's reference and working point set; faults are left to the sweep, which names
-/// them.
+/// The case with what its ladder's reference, first set of frictions and working point set; faults are left
+/// to the sweep, which names them.
 std::optional<CaseDocument> ground_of(const CaseDocument& document) {
   CaseDocument ground = document;
   Faults faults;
@@ -162,9 +163,13 @@ std::optional<CaseDocument> ground_of(const CaseDocument& document) {
     const sweep::Ladder ladder = sweep::read_ladder(readable, faults);
     const auto set = [&](const sweep::Variant& variant) {
       for (const sweep::Override& override : variant.set)
-        ground.set(override.pointer, sweep::with_absolute_paths(document, override), kFilledIn);
+        ground.set(override.pointer, sweep::with_absolute_paths(document, override), override.place);
     };
     set(ladder.reference);
+    if (!ladder.frictions.empty())
+      for (std::size_t f = 0; f < ladder.friction_names.size(); ++f)
+        if (const auto pointer = factor_pointer(ladder.friction_names[f]))
+          ground.set(*pointer, ladder.frictions.front()[f], kFilledIn);
     if (ladder.has_working_point) set(ladder.rungs.front());
     faults = {};
     read_scene(ground, faults);

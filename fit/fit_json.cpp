@@ -120,6 +120,7 @@ json to_json(const Inversion& inversion) {
         {solved, range({value_of(solution.low, factor), value_of(solution.high, factor)})}};
     object["solution"]["interval_reaches_the_edge"] = solution.reaches_the_edge;
   }
+  if (!inversion.remark.empty()) object["remark"] = inversion.remark;
   return object;
 }
 

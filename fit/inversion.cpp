@@ -41,8 +41,9 @@ const std::optional<double>& given(const Question& question, Factor factor) {
   }
 }
 
-// Every fault of the question at once.
-void check(const PowerLaw& law, const Question& question) {
+/// @param varies  whether there is an exponent to solve a factor by
+template <class Varies>
+std::vector<std::string> faults_of(const Domain& domain, const Question& question, const Varies& varies) {
   std::vector<std::string> faults;
   if (!(question.angle > 0.0 && question.angle < 90.0)) {
     faults.push_back(fmt::format("angle = {} deg: must be > 0 and < 90", question.angle));
@@ -53,20 +54,26 @@ void check(const PowerLaw& law, const Question& question) {
   if (question.curve_points < 2) faults.emplace_back("a curve needs at least 2 points");
   for (const Factor factor : kFactors) {
     const auto& value = given(question, factor);
-    const Range& range = range_of(law.domain, factor);
+    const Range& range = range_of(domain, factor);
     const double margin = kEdge * std::abs(range.high);
     if (value && !(*value >= range.low - margin && *value <= range.high + margin)) {
       faults.push_back(
           fmt::format("{} = {}: outside the domain of the fit, {}", name_of(factor), *value, text(range)));
     }
   }
-  const bool free_s = is_free(law, Factor::mu_s);
-  const bool free_r = is_free(law, Factor::mu_r);
+  const bool free_s = varies(Factor::mu_s);
+  const bool free_r = varies(Factor::mu_r);
   if (!free_s && !free_r) {
     faults.emplace_back("neither mu_s nor mu_r varies in the table: there is no friction to solve for");
   } else if ((question.mu_s || !free_s) && (question.mu_r || !free_r)) {
     faults.emplace_back("mu_s and mu_r are both fixed: nothing is left to solve for");
   }
+  return faults;
+}
+
+// Every fault of the question at once.
+void check(const PowerLaw& law, const Question& question) {
+  const auto faults = faults_of(law.domain, question, [&law](Factor factor) { return is_free(law, factor); });
   if (!faults.empty()) throw Unusable(fmt::format("{}", fmt::join(faults, "\n")));
 }
 
@@ -218,11 +225,22 @@ void solve(const PowerLaw& law, Inversion& result, Factor unknown, Factor known)
 
 }  // namespace
 
+std::vector<std::string> faults_of(const Domain& domain, const Question& question) {
+  return faults_of(domain, question, [&domain](Factor factor) {
+    return range_of(domain, factor).low < range_of(domain, factor).high;
+  });
+}
+
 Inversion invert(const PowerLaw& law, const Question& question) {
   check(law, question);
   Inversion result;
   result.question = question;
   result.e_is_given = question.e.has_value();
+  if (law.covariance.isZero())
+    result.remark =
+        "The fit gives no covariance: its equation is taken as exact, and bands hold the error of the "
+        "measured "
+        "angle alone.";
   const Range& e = law.domain.e;
   result.e = clamped(question.e.value_or(std::sqrt(e.low * e.high)), e);
   if (law.a.identified) {

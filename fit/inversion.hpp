@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "fit/power_law.hpp"
@@ -53,6 +54,7 @@ struct Inversion {
   std::vector<BandRow> band;          ///< by rising μr; empty where only one of the two varies
   std::optional<Solution> solution;   ///< where enough is fixed
   bool identifiable = false;  ///< the solution exists and the angle does depend on what was solved for
+  std::string remark;         ///< what the bands leave out, in a sentence; mostly empty
 };
 
 /// Inverts α = C e^a μr^b μs^c.
@@ -72,5 +74,9 @@ struct Inversion {
 /// named), both frictions given, or an equation without either friction. Throws Unreachable, with the range
 /// that can be reached, for an angle outside it.
 Inversion invert(const PowerLaw& law, const Question& question);
+
+/// What is wrong with a question whatever the equation over a domain, each fault in words: what invert() says
+/// of it before it knows of the angle's reach. A factor whose range is one value does not vary.
+std::vector<std::string> faults_of(const Domain& domain, const Question& question);
 
 }  // namespace repose::fit

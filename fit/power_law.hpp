@@ -92,8 +92,9 @@ struct PowerLaw {
 /// Fits the law in degrees of angle.
 ///
 /// A row is left out, with its reason, if the caller says so (Observation::exclusion), if a number in it is
-/// not finite, if its angle is ≤ 0, if a factor is negative, or if a factor that varies is 0 there (the law
-/// is 0 or infinite). A factor that does not vary has no exponent to find: it is 0 and `identified` is false.
+/// not finite, if its angle is not between 0 and 90 degrees, if a factor is negative or e above 1, or if a
+/// factor that varies is 0 there (the law is 0 or infinite). A factor that does not vary has no exponent to
+/// find: it is 0 and `identified` is false.
 ///
 /// Standard errors, least squares: s² (JᵀJ)⁻¹ with J the Jacobian. Repeats at the same factors share the
 /// law's error there, so that they do not count as independent where the law does not hold: with repeats, s²

@@ -23,8 +23,10 @@ std::string fault_of(const Observation& row) {
     if (!std::isfinite(value)) return fmt::format("{} is not a finite number", name_of(factor));
     if (value < 0.0) return fmt::format("{} = {}: must be > 0", name_of(factor), value);
   }
+  if (factors.e > 1.0) return fmt::format("{} = {}: must be <= 1", name_of(Factor::e), factors.e);
   if (!std::isfinite(row.angle)) return "the angle is not a finite number";
   if (row.angle <= 0.0) return fmt::format("angle = {} deg: must be > 0", row.angle);
+  if (row.angle >= 90.0) return fmt::format("angle = {} deg: must be < 90", row.angle);
   return {};
 }
 
@@ -65,11 +67,27 @@ std::string reasons_of(const std::vector<Excluded>& excluded) {
   return text;
 }
 
+/// The settings of a factor, ascending: of values that differ by rounding alone the least.
+std::vector<double> settings_of(const std::vector<Observation>& rows, Factor factor) {
+  std::vector<double> values;
+  for (const Observation& row : rows) values.push_back(value_of(factors_of(row), factor));
+  std::sort(values.begin(), values.end());
+  std::vector<double> settings;
+  for (const double value : values)
+    if (settings.empty() || value - settings.back() > kSameValue * value) settings.push_back(value);
+  return settings;
+}
+
 void number_distinct_points(Selection& selection) {
   std::map<std::vector<double>, int> number;
+  std::vector<std::vector<double>> settings;
+  for (const Factor factor : selection.varying) settings.push_back(settings_of(selection.used, factor));
   for (const Observation& row : selection.used) {
     std::vector<double> key = {row.cheap ? 1.0 : 0.0};
-    for (const Factor factor : selection.varying) key.push_back(value_of(factors_of(row), factor));
+    for (std::size_t k = 0; k < settings.size(); ++k) {
+      const double value = value_of(factors_of(row), selection.varying[k]);
+      key.push_back(*std::prev(std::upper_bound(settings[k].begin(), settings[k].end(), value)));
+    }
     const int next = static_cast<int>(number.size());
     selection.point_of.push_back(number.emplace(std::move(key), next).first->second);
   }

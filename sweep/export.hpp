@@ -15,7 +15,8 @@ namespace repose::sweep {
 /// as open_study() does.
 std::string study_as_csv(const std::filesystem::path& folder);
 
-/// Writes it to a file, which is replaced whole. Throws InputError where the file cannot be written.
+/// Writes it to a file, which is replaced whole, or to a pipe or device. Throws InputError where the file
+/// cannot be written.
 void export_csv(const std::filesystem::path& folder, const std::filesystem::path& file);
 
 }  // namespace repose::sweep

@@ -9,6 +9,7 @@
 #include "engine/scene/case_keys.hpp"
 #include "engine/scene/did_you_mean.hpp"
 #include "engine/scene/json_file.hpp"
+#include "engine/scene/tidy_path.hpp"
 #include "sweep/factor.hpp"
 
 namespace repose::sweep {
@@ -90,6 +91,10 @@ class LadderReader {
       else
         overrides.push_back({pointer, value, here});
     }
+    for (const RivalKeys& pair : rival_keys())
+      if (object->contains(pair.first) && object->contains(pair.second) &&
+          !object->at(std::string(pair.first)).is_null() && !object->at(std::string(pair.second)).is_null())
+        fault(pointer_to(place, pair.second), fmt::format("excludes {} beside it", pair.first));
     return overrides;
   }
 
@@ -107,7 +112,8 @@ class LadderReader {
   void read_rungs(Ladder& ladder) {
     const std::string place = std::string(kChart) + "/rungs";
     const Json* rungs = document_.find(place);
-    if (rungs == nullptr || !rungs->is_array() || rungs->empty())
+    const bool may_be_empty = ladder.has_working_point || document_.source(place) == kDefaultLadder;
+    if (rungs == nullptr || !rungs->is_array() || (rungs->empty() && !may_be_empty))
       return fault(place, rungs == nullptr ? "is missing" : "must be a list of at least one rung");
     const Variant working_point = ladder.has_working_point ? ladder.rungs.front() : Variant();
     std::vector<std::string> names = {kReference};
@@ -189,8 +195,10 @@ void for_each_path(Value& value, const std::string& pointer, const std::string& 
 Variant on_working_point(std::span<const Override> working_point, Variant variant) {
   std::vector<Override> set;
   for (const Override& shared : working_point) {
-    const bool replaced = std::ranges::any_of(
-        variant.set, [&](const Override& own) { return is_or_is_below(shared.pointer, own.pointer); });
+    const bool replaced = std::ranges::any_of(variant.set, [&](const Override& own) {
+      return is_or_is_below(shared.pointer, own.pointer) ||
+             (are_rivals(shared.pointer, own.pointer) && !own.value.is_null());
+    });
     if (!replaced) set.push_back(shared);
   }
   variant.shared = set.size();
@@ -224,9 +232,7 @@ std::vector<std::string> shape_paths(const CaseDocument& document) {
 Json with_absolute_paths(const CaseDocument& document, const Override& override) {
   Json value = override.value;
   for_each_path(value, override.pointer, override.place, [&](Json& path, const std::string& place) {
-    path = std::filesystem::absolute(document.resolve(place, path.get<std::string>()))
-               .lexically_normal()
-               .string();
+    path = tidy(std::filesystem::absolute(document.resolve(place, path.get<std::string>()))).string();
   });
   return value;
 }

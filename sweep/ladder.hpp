@@ -49,8 +49,12 @@ inline constexpr const char* kReference = "reference";
 /// Name of the working point among the rungs.
 inline constexpr const char* kWorkingPoint = "working point";
 
+/// Origin of what a default ladder fills in. Its list of rungs is empty where the case cannot be read, whose
+/// faults say more than that the list is empty.
+inline constexpr const char* kDefaultLadder = "the default ladder";
+
 /// What a working point sets, then what stands on it: of the working point's all that this does not replace,
-/// the same pointer or one above it.
+/// by the same pointer, one above it or its rival (rival_keys()).
 Variant on_working_point(std::span<const Override> working_point, Variant variant);
 
 /// Reads /chart of a case:

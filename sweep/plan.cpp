@@ -111,8 +111,8 @@ class ScenesOfPoints {
     for (const Factor& factor : design_.factors) {
       if (factor.pointer != fault.pointer) continue;
       if (design_.kind == DesignKind::chart) {
-        fault.pointer = "/chart/frictions";
-        fault.file = document_.source(fault.pointer);
+        fault.file = document_.source("/chart/frictions");
+        fault.pointer = pointer_to("/chart/frictions", factor.name);
       } else if (design_.kind == DesignKind::table) {
         fault.file = document_.resolve("/sweep/table", design_.table_file).string();
         fault.pointer = "column " + factor.name;
@@ -128,8 +128,9 @@ class ScenesOfPoints {
 
   void note(const std::pair<Fault, bool>& placed, const std::string& words) {
     const auto& [fault, of_factor] = placed;
-    const auto [place, is_new] =
-        index_.emplace(std::tuple(fault.file, fault.pointer, fault.rule), noted_.size());
+    // Every value of a factor that is at fault is named; of a value that follows from others one will do.
+    const auto [place, is_new] = index_.emplace(
+        std::tuple(fault.file, fault.pointer, fault.rule, of_factor ? fault.value : ""), noted_.size());
     if (is_new) noted_.push_back({fault, of_factor, words, 0});
     ++noted_[place->second].points;
   }
@@ -138,20 +139,35 @@ class ScenesOfPoints {
   const Design& design_;
   ShapeCache shapes_;
   std::vector<Noted> noted_;
-  std::map<std::tuple<std::string, std::string, std::string>, std::size_t> index_;
+  std::map<std::tuple<std::string, std::string, std::string, std::string>, std::size_t> index_;
   int points_ = 0;
 };
 
-/// Something to check the rest of the case with when the design itself is not sound.
-std::vector<double> first_levels(const Design& design) {
-  std::vector<double> values;
-  for (std::size_t f = 0; f < design.factors.size(); ++f) {
-    const Factor& factor = design.factors[f];
-    double value = factor.levels.empty() ? std::nan("") : factor.levels.front();
-    if (!design.rows.empty() && f < design.rows.front().values.size()) value = design.rows.front().values[f];
-    values.push_back(value);
+/// Something to check the rest of the case with when the design itself is not sound: its first levels, then
+/// every other level and every rung with them.
+std::vector<DesignPoint> samples_of(const Design& design) {
+  std::vector<std::vector<double>> levels(design.factors.size());
+  for (std::size_t f = 0; f < levels.size(); ++f) {
+    levels[f] = design.factors[f].levels;
+    for (const auto& row : design.rows)
+      if (f < row.values.size()) levels[f].push_back(row.values[f]);
+    for (const auto& set : design.ladder.frictions)
+      if (f < set.size()) levels[f].push_back(set[f]);
+    if (levels[f].empty()) levels[f].push_back(std::nan(""));
   }
-  return values;
+  DesignPoint first;
+  for (const std::vector<double>& values : levels) first.values.push_back(values.front());
+  std::vector<DesignPoint> samples = {first};
+  for (std::size_t f = 0; f < levels.size(); ++f)
+    for (std::size_t level = 1; level < levels[f].size(); ++level) {
+      samples.push_back(first);
+      samples.back().values[f] = levels[f][level];
+    }
+  for (std::size_t rung = 1; rung <= design.ladder.rungs.size(); ++rung) {
+    samples.push_back(first);
+    samples.back().rung = rung;
+  }
+  return samples;
 }
 
 }  // namespace
@@ -175,7 +191,7 @@ Plan make_plan(const CaseDocument& document) {
   plan.design = read_design(document, faults);
   ScenesOfPoints scenes(document, plan.design);
   if (!faults.empty()) {
-    scenes.at({first_levels(plan.design), {}, 0});
+    for (const DesignPoint& sample : samples_of(plan.design)) scenes.at(sample);
     scenes.add_to(faults);
     faults.throw_if_any();
   }

@@ -78,13 +78,20 @@ void copy_files(const SelfContained& self_contained, const fs::path& folder) {
   }
 }
 
-void replace_file(const fs::path& file, const std::string& text) {
-  const fs::path part = part_of(file);
+void replace_file(const fs::path& named, const std::string& text) {
+  std::error_code error;
+  const fs::path file = fs::exists(named, error) ? fs::canonical(named) : named;  // where a link leads
+  // What is there and no regular file (a terminal, a pipe, a device) is written to, not replaced.
+  const bool in_place = fs::exists(file, error) && !fs::is_regular_file(file);
+  const fs::path part = in_place ? file : part_of(file);
   std::ofstream stream(part, std::ios::binary);
   stream << text;
   stream.close();
-  if (!stream) throw std::runtime_error(part.string() + ": cannot be written");
-  fs::rename(part, file);
+  if (!stream) {
+    if (!in_place) fs::remove(part, error);
+    throw std::runtime_error(part.string() + ": cannot be written");
+  }
+  if (!in_place) fs::rename(part, file);
 }
 
 }  // namespace repose::sweep

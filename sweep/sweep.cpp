@@ -151,14 +151,28 @@ int merge_studies(const std::vector<fs::path>& folders, const fs::path& into) {
   }
   faults.throw_if_any();
 
-  Study target = is_new ? open_or_create_study(into, reference) : open_study(into);
-  for (const std::string& key : target.store.take_from(stores))
-    faults.add(into.string(), "", key, "two studies hold different results of this run");
-  faults.throw_if_any();
-
-  const Plan plan = make_plan(target.document);
-  label_by(plan, by_key(target.store.runs()), target.store);
-  return static_cast<int>(target.store.runs().size());
+  std::vector<std::string> names;
+  for (const fs::path& folder : folders) names.push_back(folder.string());
+  if (!is_new) names.push_back(into.string());
+  const bool had_files = fs::exists(into / kCaseFiles);
+  std::vector<std::string> conflicts;
+  {
+    Study target = is_new ? open_or_create_study(into, reference) : open_study(into);
+    conflicts = target.store.take_from(stores);
+    if (conflicts.empty()) {
+      label_by(make_plan(target.document), by_key(target.store.runs()), target.store);
+      return static_cast<int>(target.store.runs().size());
+    }
+  }
+  if (is_new) {  // nothing stays of a study that could not be made
+    for (const char* made : {kStudyFile, kCaseFile}) fs::remove(into / made);
+    if (!had_files) fs::remove_all(into / kCaseFiles);
+    if (fs::is_empty(into)) fs::remove(into);
+  }
+  for (const std::string& key : conflicts)
+    faults.add(fmt::format("{}", fmt::join(names, ", ")), "", key,
+               "two of these studies hold different results of this run");
+  throw InputError(faults.list());
 }
 
 }  // namespace repose::sweep

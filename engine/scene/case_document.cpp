@@ -9,6 +9,7 @@
 
 #include "engine/scene/case_keys.hpp"
 #include "engine/scene/json_file.hpp"
+#include "engine/scene/tidy_path.hpp"
 
 namespace repose {
 
@@ -34,8 +35,8 @@ std::filesystem::path take_base(Layer& layer) {
   if (base == layer.json.end()) return {};
   if (!base->is_string() || base->get<std::string>().empty())
     throw InputError({layer.file, "/base", shown(*base), "must be the path of a case"});
-  std::filesystem::path file = std::filesystem::path(layer.file).parent_path() / base->get<std::string>();
-  file = file.lexically_normal();
+  const std::filesystem::path file =
+      tidy(std::filesystem::path(layer.file).parent_path() / base->get<std::string>());
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
     throw InputError({layer.file, "/base", shown(*base), "cannot be opened: " + file.string()});
@@ -55,12 +56,21 @@ std::vector<Layer> layers_of(const std::filesystem::path& file) {
     next = take_base(layer);
     if (!next.empty() && std::ranges::find(seen, identity(next)) != seen.end())
       throw InputError({layer.file, "/base", "\"" + next.string() + "\"",
-                        "inherits from itself: " + file.string() + " is reached again"});
+                        "inherits from itself: " + next.string() + " is reached again"});
   }
   return layers;
 }
 
 std::string parent_of(std::string_view pointer) { return std::string(pointer.substr(0, pointer.rfind('/'))); }
+
+/// What a merge makes of a value that meets none: in it, null says that a key is not there (RFC 7386).
+Json without_nulls(const Json& value) {
+  if (!value.is_object()) return value;
+  Json kept = Json::object();
+  for (const auto& [key, below] : value.items())
+    if (!below.is_null()) kept[key] = without_nulls(below);
+  return kept;
+}
 
 /// Why the case has no place for a value at this pointer, whose key is known; "" where it has. Objects that
 /// are missing on the way can be made, entries of lists cannot.
@@ -116,7 +126,7 @@ const std::string& CaseDocument::source(std::string_view pointer) const {
 std::filesystem::path CaseDocument::resolve(std::string_view pointer, const std::string& path) const {
   const std::string& origin = source(pointer);
   const std::filesystem::path beside = files_.contains(origin) ? std::filesystem::path(origin) : file_;
-  return (beside.parent_path() / path).lexically_normal();
+  return tidy(beside.parent_path() / path);
 }
 
 void CaseDocument::merge_at(Json& target, const Json& layer, const std::string& pointer,
@@ -125,15 +135,15 @@ void CaseDocument::merge_at(Json& target, const Json& layer, const std::string& 
   for (const auto& [key, value] : layer.items()) {
     const std::string below = pointer_to(pointer, key);
     const auto inherited = target.find(key);
-    if (inherited == target.end()) {
-      assign(target[key], value, below, source);
-    } else if (value.is_null()) {
+    if (value.is_null()) {
       target.erase(key);
       forget(below);
+    } else if (inherited == target.end()) {
+      assign(target[key], without_nulls(value), below, source);
     } else if (value.is_object() && inherited->is_object()) {
       merge_at(*inherited, value, below, source);
     } else {
-      assign(*inherited, value, below, source);
+      assign(*inherited, without_nulls(value), below, source);
     }
   }
   for (const auto& [key, value] : layer.items()) remove_rivals(pointer_to(pointer, key), value, source);

@@ -242,6 +242,12 @@ std::vector<std::string_view> keys_below(std::string_view pattern) {
 
 std::span<const RivalKeys> rival_keys() { return kRivals; }
 
+bool are_rivals(std::string_view pointer, std::string_view other) {
+  return std::ranges::any_of(kRivals, [&](const RivalKeys& pair) {
+    return (pair.first == pointer && pair.second == other) || (pair.first == other && pair.second == pointer);
+  });
+}
+
 std::span<const FactorName> factor_names() { return kFactors; }
 
 std::optional<std::string> factor_pointer(std::string_view name) {

@@ -68,6 +68,8 @@ struct RivalKeys {
 };
 /// A file that gives one of the two replaces the other that it inherits.
 std::span<const RivalKeys> rival_keys();
+/// Whether two pointers are such a pair.
+bool are_rivals(std::string_view pointer, std::string_view other);
 
 /// A factor's name and the key that it stands for.
 struct FactorName {

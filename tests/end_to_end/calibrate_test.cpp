@@ -69,6 +69,24 @@ TEST(Calibrate, GoesFromACaseAndAnAngleToFrictionAndAPage) {
   const Finished other = repose({"report", out.string(), "--angle", "26", "--quiet"});
   EXPECT_EQ(other.code, 0) << other.err;
   EXPECT_NE(other.out.find("26°"), std::string::npos) << other.out;
+  // Without an angle it is the last question with what is typed now.
+  const Finished fixed = repose({"report", out.string(), "--fix", "mu_r=0.15", "--json"});
+  EXPECT_EQ(fixed.code, 0) << fixed.err;
+  EXPECT_EQ(Json::parse(fixed.out).at("inversion").at("angle_deg"), 26.0);
+  EXPECT_EQ(Json::parse(fixed.out).at("inversion").at("solution").at("mu_r"), 0.15);
+  const Finished bad = repose({"report", out.string(), "--sigma", "-5", "--fix", "mu_q=1"});
+  EXPECT_EQ(bad.code, 2);
+  for (const char* word : {"--sigma: -5", "mu_q=1"})
+    EXPECT_NE(bad.err.find(word), std::string::npos) << word << " in\n" << bad.err;
+}
+
+TEST(Report, NeedsAnAngleBeforeAnythingCanBeFixed) {
+  const TemporaryFolder folder;
+  const fs::path out = folder / "study";
+  ASSERT_EQ(repose({"sweep", write_case(folder, tiny_sweep()), "--out", out.string()}).code, 0);
+  const Finished run = repose({"report", out.string(), "--fix", "mu_r=0.2"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("--fix: needs --angle"), std::string::npos) << run.err;
 }
 
 TEST(Calibrate, AnAngleOutOfReachEndsWithTwoButThePageIsThere) {
@@ -103,6 +121,19 @@ TEST(Calibrate, ADesignThatCannotGiveAnEquationIsRefusedBeforeItRuns) {
   const Finished run = calibrated(write_case(folder, json), out, "27");
   EXPECT_EQ(run.code, 2);
   EXPECT_NE(run.err.find("no equation can be fitted"), std::string::npos) << run.err;
+  EXPECT_FALSE(fs::exists(out));
+}
+
+TEST(Calibrate, AQuestionThatTheDesignCannotAnswerIsRefusedBeforeItRuns) {
+  const TemporaryFolder folder;
+  const fs::path out = folder / "calibration";
+  const std::string file = write_case(folder, tiny_sweep());
+  const Finished outside = calibrated(file, out, "27", {"--fix", "mu_s=7"});
+  EXPECT_EQ(outside.code, 2);
+  EXPECT_NE(outside.err.find("mu_s = 7: outside the domain"), std::string::npos) << outside.err;
+  const Finished both = calibrated(file, out, "27", {"--fix", "mu_s=0.5", "mu_r=0.15"});
+  EXPECT_EQ(both.code, 2);
+  EXPECT_NE(both.err.find("nothing is left to solve for"), std::string::npos) << both.err;
   EXPECT_FALSE(fs::exists(out));
 }
 

@@ -192,10 +192,13 @@ TEST(Chart, SaysWhereNothingCanBeChosen) {
   const TemporaryFolder folder;
   Json json = tiny_chart(2);
   json["chart"]["rungs"] = {{{"name", "less mass"}, {"set", {{"/particles/total_mass_kg", 0.03}}}}};
+  chart(folder, "study", json);
+  write_text(folder / "study/chosen.json", "{}");
   const Finished run = chart(folder, "study", json, {"--json", "--choose", "0.001"});
   EXPECT_EQ(run.code, 3) << run.err;
   const Json result = Json::parse(run.out);
   EXPECT_TRUE(result.at("choice").at("chosen").is_null());
+  // What an earlier call chose is gone with it.
   EXPECT_NE(result.at("choice").at("remark").get<std::string>().find("replicates"), std::string::npos);
   EXPECT_FALSE(fs::exists(folder / "study/chosen.json"));
   EXPECT_TRUE(fs::exists(folder / "study/chart.json"));

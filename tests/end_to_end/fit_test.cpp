@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
 #include <cmath>
 
 #include "end_to_end/repose_program.hpp"
 
 namespace repose::test {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// α = 56.61 e^0.01 μr^0.084 μs^0.25, article eq. 13 [deg].
 double article_angle(double e, double mu_s, double mu_r) {
@@ -143,6 +147,54 @@ TEST(Fit, RowsWithAnotherOutcomeThanCompletedAreLeftOut) {
   EXPECT_NE(json.at("excluded").at(0).at("reason").get<std::string>().find("no_heap"), std::string::npos);
 }
 
+/// The table of a study says which runs are none of its design's: the study's folder leaves them out, and so
+/// does its table.
+TEST(Fit, RunsOfAnExportedTableAreThoseOfItsStudy) {
+  const TemporaryFolder folder;
+  std::string csv = "run_key,point,variant,e_pp,mu_s,mu_r,angle_deg\n";
+  for (const double mu_s : {0.2, 0.5, 0.8})
+    for (const double mu_r : {0.05, 0.2})
+      csv += fmt::format("k,1,reference,0.3,{},{},{}\n", mu_s, mu_r, article_angle(0.3, mu_s, mu_r));
+  csv += "k,1,soft,0.3,0.2,0.05,70\nk,,,0.3,0.2,0.05,70\n";
+  const Json json = Json::parse(repose({"fit", write_table(folder, csv), "--json"}).out);
+  EXPECT_EQ(json.at("points"), 6);
+  EXPECT_EQ(json.at("excluded").at(0).at("reason"), "rung of a chart: soft");
+  EXPECT_EQ(json.at("excluded").at(1).at("reason"), "not in the study's design any more");
+}
+
+TEST(Fit, AnglesAndRestitutionsThatCannotBeAreLeftOut) {
+  const TemporaryFolder folder;
+  const std::string table =
+      write_table(folder, article_table() + "28,0.3,0.5,0.1,120,red\n29,3,0.5,0.1,30,red\n");
+  const Json json = Json::parse(repose({"fit", table, "--json"}).out);
+  EXPECT_EQ(json.at("points"), 27);
+  EXPECT_EQ(json.at("excluded").at(0).at("reason"), "angle = 120 deg: must be < 90");
+  EXPECT_EQ(json.at("excluded").at(1).at("reason"), "e_pp = 3: must be <= 1");
+}
+
+/// 0.1 + 0.2 is 0.3 in a spreadsheet's eyes: such rows are repeats of one point.
+TEST(Fit, ValuesThatDifferByRoundingAreOneSetting) {
+  const TemporaryFolder folder;
+  std::string csv = "e_pp,mu_s,mu_r,angle_deg\n";
+  for (const char* mu_s : {"0.3", "0.30000000000000004", "0.6", "0.6000000000000001"})
+    for (const char* mu_r : {"0.05", "0.2"})
+      csv += fmt::format("0.3,{},{},{}\n", mu_s, mu_r, 20 + csv.size() % 7);
+  const Json json = Json::parse(repose({"fit", write_table(folder, csv), "--json"}).out);
+  EXPECT_EQ(json.at("points"), 8);
+  EXPECT_EQ(json.at("distinct_points"), 4);
+}
+
+TEST(Fit, ReadsATableFromAPipe) {
+  const TemporaryFolder folder;
+  const std::string table = write_table(folder, article_table());
+  const fs::path pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  Process writer("/bin/sh", {"-c", "cat \"$0\" > \"$1\"", table, pipe.string()});
+  const Finished run = repose({"fit", pipe.string(), "--json"});
+  EXPECT_EQ(writer.wait().code, 0);
+  EXPECT_EQ(Json::parse(run.out).at("points"), 27) << run.err;
+}
+
 struct BadTable {
   std::string csv;
   std::vector<std::string> messages;
@@ -229,6 +281,42 @@ TEST(Invert, ASavedFitGivesWhatItsTableGives) {
   };
   const double from_table = solution_of(table);
   EXPECT_NEAR(solution_of((folder / "fit.json").string()), from_table, 1e-12 * from_table);
+}
+
+TEST(Invert, ASavedFitKeepsTheLossThatItWasMadeWith) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "fit.json";
+  write_text(file, repose({"fit", write_table(folder, article_table()), "--json"}).out);
+  const auto inverted = [&](const char* loss) {
+    return repose({"invert", file.string(), "--angle", "36", "--fix", "mu_r=0.1", "--loss", loss});
+  };
+  EXPECT_EQ(inverted("least-squares").code, 0);
+  const Finished other = inverted("minimax");
+  EXPECT_EQ(other.code, 2);
+  EXPECT_NE(other.err.find("--loss: minimax"), std::string::npos) << other.err;
+}
+
+/// Errors that are not known are not zero: the answer says what its intervals leave out.
+TEST(Invert, ASavedFitWithoutErrorsSaysSo) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "fit.json";
+  write_text(file, R"({"C": 56.61, "a": 0.01, "b": 0.084, "c": 0.25,
+    "domain": {"e_pp": [0.1, 0.6], "mu_s": [0.1, 0.8], "mu_r": [0.02, 0.2]}})");
+  const std::vector<std::string> question = {"invert", file.string(), "--angle", "30", "--fix", "mu_r=0.1"};
+  const Finished words = repose(question);
+  EXPECT_EQ(words.code, 0) << words.err;
+  EXPECT_NE(words.out.find("gives no covariance"), std::string::npos) << words.out;
+  EXPECT_EQ(words.out.find("equation's own error"), std::string::npos) << words.out;
+  std::vector<std::string> as_json = question;
+  as_json.emplace_back("--json");
+  EXPECT_TRUE(Json::parse(repose(as_json).out).contains("remark"));
+}
+
+TEST(Invert, ABadQuestionAndABadSourceAreSaidTogether) {
+  const Finished run = repose({"invert", "missing.csv", "--angle", "95"});
+  EXPECT_EQ(run.code, 2);
+  for (const char* word : {"--angle: 95", "missing.csv"})
+    EXPECT_NE(run.err.find(word), std::string::npos) << word << " in\n" << run.err;
 }
 
 TEST(Invert, AnAngleOutOfReachNamesTheReachableRange) {

@@ -218,6 +218,22 @@ TEST(Simulate, EveryFaultOfCaseAndOptionsComesAtOnceAndNothingIsWritten) {
   EXPECT_FALSE(fs::exists(out));
 }
 
+TEST(Simulate, SeedsAreWholeNumbersThatEveryReaderKeeps) {
+  const TemporaryFolder folder;
+  Json json = tiny_case();
+  const std::string file = write_case(folder, json);
+  for (const std::string seed : {"99999999999999999999", "1.5", "x", "-4"}) {
+    const Finished run = repose({"simulate", file, "--seed", seed});
+    EXPECT_EQ(run.code, 2) << seed;
+    EXPECT_NE(run.err.find("--seed: " + seed + ": must be an integer from 0 to"), std::string::npos)
+        << run.err;
+  }
+  json["sweep"] = {{"seed", -4}};
+  const Finished run = repose({"simulate", write_case(folder, json)});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("/sweep/seed = -4: must be an integer"), std::string::npos) << run.err;
+}
+
 TEST(Simulate, FolderThatCannotBeWrittenIsSaidBeforeTheRun) {
   const TemporaryFolder folder;
   const std::string file = write_case(folder, tiny_case());

@@ -152,6 +152,25 @@ TEST(Sweep, ShardsMergedAreTheWhole) {
   EXPECT_EQ(rows_of(folder / "both"), swept(folder, "whole", tiny_sweep()));
 }
 
+TEST(Export, WritesToPipesAndLinksAndNeverOverItsStudy) {
+  const TemporaryFolder folder;
+  const std::string study = (folder / "study").string();
+  swept(folder, "study", tiny_sweep());
+  ASSERT_EQ(repose({"export", study, "--csv", (folder / "plain.csv").string()}).code, 0);
+  const std::string plain = text_of(folder / "plain.csv");
+  write_text(folder / "target.csv", "");
+  fs::create_symlink("target.csv", folder / "link.csv");
+  ASSERT_EQ(repose({"export", study, "--csv", (folder / "link.csv").string()}).code, 0);
+  EXPECT_TRUE(fs::is_symlink(folder / "link.csv"));
+  EXPECT_EQ(text_of(folder / "target.csv"), plain);
+  const Finished out = repose({"export", study, "--csv", "/dev/stdout", "--quiet"});
+  EXPECT_EQ(out.code, 0) << out.err;
+  EXPECT_EQ(out.out, plain);
+  const Finished over = repose({"export", study, "--csv", study + "/study.sqlite"});
+  EXPECT_EQ(over.code, 2);
+  EXPECT_EQ(done_of(folder / "study"), 4);
+}
+
 TEST(Sweep, RunsThatDoNotCompleteEndWithThreeAndTheRestIsDone) {
   const TemporaryFolder folder;
   Json json = tiny_sweep();

@@ -9,6 +9,7 @@
 
 #include "engine/base/csv.hpp"
 #include "engine/base/input_error.hpp"
+#include "sweep/ladder.hpp"
 
 namespace repose::program {
 
@@ -51,6 +52,14 @@ class Row {
     return otherwise;
   }
 
+  /// Why a row of a study's table is none of its design's, or "": as for the study itself (response_source).
+  [[nodiscard]] std::string left_out_of_its_study() const {
+    if (!table_.column("run_key")) return {};
+    if (table_.column("point") && cell("point").empty()) return "not in the study's design any more";
+    const std::string variant = cell("variant");
+    return variant.empty() || variant == sweep::kReference ? "" : "rung of a chart: " + variant;
+  }
+
   [[nodiscard]] bool is_cheap() const {
     const std::string word = lower(cell("fidelity"));
     if (!word.empty() && word != "cheap" && word != "reference")
@@ -76,6 +85,8 @@ fit::Observation observation_of(const Row& row) {
   const std::string outcome = row.cell("outcome");
   if (!outcome.empty() && outcome != "completed")
     point.exclusion = "outcome " + outcome;
+  else if (const std::string reason = row.left_out_of_its_study(); !reason.empty())
+    point.exclusion = reason;
   else if (is_blank(row.cell("angle_deg")))
     point.exclusion = "no angle";
   else

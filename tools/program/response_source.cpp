@@ -28,7 +28,8 @@ char first_character(const fs::path& file) {
 
 bool is_saved_fit(const fs::path& source) {
   if (fs::is_directory(source)) return false;
-  return source.extension() == ".json" || first_character(source) == '{';
+  // What is no regular file, a pipe, can be read only once.
+  return source.extension() == ".json" || (fs::is_regular_file(source) && first_character(source) == '{');
 }
 
 /// Factors beside the three of the equation that take more than one value.

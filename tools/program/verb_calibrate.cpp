@@ -19,9 +19,23 @@ struct CalibrateOptions {
   QuestionOptions question;
 };
 
+fit::Domain domain_of(const std::vector<fit::Observation>& table) {
+  const auto range = [&table](double fit::Observation::*factor) {
+    const auto [low, high] = std::ranges::minmax(table, {}, factor);
+    return fit::Range{low.*factor, high.*factor};
+  };
+  fit::Domain domain;
+  domain.e = range(&fit::Observation::e);
+  domain.mu_s = range(&fit::Observation::mu_s);
+  domain.mu_r = range(&fit::Observation::mu_r);
+  return domain;
+}
+
 /// A fault where the design cannot give an equation, however its runs end: too few points, factors that only
-/// vary together. Faults of the case itself are the sweep's to find.
-void check_that_a_fit_is_possible(const std::filesystem::path& case_file, Faults& faults) {
+/// vary together; or no answer to the question: values fixed outside the design, nothing left to solve for.
+/// Faults of the case itself are the sweep's to find.
+void check_that_an_answer_is_possible(const std::filesystem::path& case_file, const fit::Question& question,
+                                      Faults& faults) {
   constexpr double kAnyAngle = 30.0;
   try {
     const sweep::Plan plan = sweep::make_plan(CaseDocument::load(case_file));
@@ -33,7 +47,10 @@ void check_that_a_fit_is_possible(const std::filesystem::path& case_file, Faults
                        .mu_r = contact.rolling_friction,
                        .angle = kAnyAngle});
     }
-    fit::select_points(table);
+    const fit::Selection selection = fit::select_points(table);
+    if (faults.empty())
+      for (const std::string& fault : fit::faults_of(domain_of(selection.used), question))
+        faults.add(case_file.string(), "/sweep", "", "cannot answer the question: " + fault);
   } catch (const InputError&) {
     return;
   } catch (const fit::Unusable& error) {
@@ -55,8 +72,8 @@ int exit_code_of_answer(const StudyAnswer& answer, const sweep::SweepSummary& su
 /// Runs the sweep and, where it was not interrupted, answers the question.
 int calibrate(const CalibrateOptions& options) {
   Faults faults;
-  question_of(options.question, faults);
-  check_that_a_fit_is_possible(options.sweep.case_file, faults);
+  const fit::Question question = question_of(options.question, faults);
+  check_that_an_answer_is_possible(options.sweep.case_file, question, faults);
   HeapKeeper keeper(options.question.angle);
   SweepRequest request = options.sweep;
   request.quiet = options.common.quiet;

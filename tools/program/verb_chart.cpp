@@ -121,6 +121,7 @@ void write_chart(const Session& session) {
   const std::filesystem::path& folder = session.options.sweep.folder;
   write_file(folder / "chart.csv", chart::chart_csv(session.chart));
   for (const char* picture : {"chart.svg", "chart.png"}) report::draw_chart(folder / picture, session.chart);
+  if (session.options.limit) std::filesystem::remove(folder / "chosen.json");  // of an earlier choice
   if (session.chosen == nullptr) return;
   const CaseDocument given = CaseDocument::load(session.options.sweep.case_file);
   const sweep::Variant reference = chart::anywhere(session.chart.reference_variant, session.chart);

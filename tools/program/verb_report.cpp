@@ -13,27 +13,49 @@ namespace {
 struct ReportOptions {
   CommonOptions common;
   std::filesystem::path folder;
-  CLI::Option* angle = nullptr;  ///< tells whether --angle was given
+  CLI::App* verb = nullptr;  ///< tells which options were given
+
+  [[nodiscard]] bool given(const char* option) const { return verb->get_option(option)->count() > 0; }
   QuestionOptions question;
 };
 
-/// The question of the command line, or else the one that the study was last asked.
+/// The question of the command line; without an angle the one that the study was last asked, with what the
+/// command line changes in it.
 std::optional<QuestionOptions> question_for(const ReportOptions& options) {
-  if (options.angle->count() == 0) return kept_question(options.folder);
-  Faults faults;
-  question_of(options.question, faults);
-  faults.throw_if_any();
-  return options.question;
+  const QuestionOptions& typed = options.question;
+  if (options.given("--angle")) return typed;
+  std::optional<QuestionOptions> question = kept_question(options.folder);
+  for (const char* option : {"--sigma", "--fix", "--loss"})
+    if (options.given(option) && !question)
+      throw InputError({option, "", "", "needs --angle: the study has not been asked a question yet"});
+  if (options.given("--sigma")) question->sigma = typed.sigma;
+  if (options.given("--fix")) question->fixed = typed.fixed;
+  if (options.given("--loss")) question->loss = typed.loss;
+  return question;
+}
+
+bool asks(const ReportOptions& options) {
+  return options.given("--angle") || options.given("--sigma") || options.given("--fix") ||
+         options.given("--loss");
 }
 
 int report_verb(const ReportOptions& options) {
-  const sweep::Study study = sweep::open_study(options.folder);
-  const std::optional<QuestionOptions> question = question_for(options);
   Faults faults;
-  check_folder(faults, options.folder);
+  if (options.given("--angle")) question_of(options.question, faults);
+  std::optional<sweep::Study> opened;
+  std::optional<QuestionOptions> question;
+  try {
+    opened = sweep::open_study(options.folder);
+    question = question_for(options);
+    if (question && !options.given("--angle")) question_of(*question, faults);
+    check_folder(faults, options.folder);
+  } catch (const InputError& error) {
+    faults.add(error);
+  }
   faults.throw_if_any();
+  const sweep::Study& study = *opened;
   const StudyAnswer answer = answer_and_report(study, question, nullptr, options.common.quiet);
-  if (options.angle->count() > 0) keep_question(options.folder, options.question);
+  if (asks(options)) keep_question(options.folder, *question);
   const std::string source = options.folder.string();
   if (!answer.reason().empty()) fmt::print(stderr, "{}\n", answer.reason());
   if (options.common.json)
@@ -49,7 +71,8 @@ void add_report(CLI::App& app, Action& chosen) {
   CLI::App* verb = nullptr;
   auto& options = add_verb(app, chosen, "report", "The report of a study, again", report_verb, verb);
   verb->add_option("DIR", options.folder, "Folder of the study")->required();
-  options.angle = add_question(*verb, options.question);
+  add_question(*verb, options.question);
+  options.verb = verb;
 }
 
 }  // namespace repose::program

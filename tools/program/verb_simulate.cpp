@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <optional>
 
+#include "engine/base/csv.hpp"
 #include "engine/run/run.hpp"
+#include "engine/scene/json_file.hpp"
 #include "engine/scene/scene_reader.hpp"
 #include "tools/program/frame_writer.hpp"
 #include "tools/program/heap_files.hpp"
@@ -21,7 +24,7 @@ struct SimulateOptions {
   CommonOptions common;
   std::string case_file;
   std::vector<std::string> assignments;
-  std::optional<std::int64_t> seed;
+  std::string seed;  ///< "": not given
   std::string out;
   int frames = 0;
   int threads = 1;
@@ -29,30 +32,57 @@ struct SimulateOptions {
 
 constexpr int kMostFrames = 10000;
 
-/// The case with what was set on the command line, and the faults of everything that was asked for.
-Scene checked_scene(const SimulateOptions& options, CaseDocument& document) {
+/// Without --seed: the seed of the case's sweep where it has one, otherwise 1.
+std::uint64_t seed_for(const SimulateOptions& options, const CaseDocument& document, Faults& faults) {
+  constexpr const char* kRule = "must be an integer from 0 to 9007199254740992";
+  const auto checked = [&](std::optional<double> value, const Fault& fault) -> std::uint64_t {
+    if (value && *value >= 0.0 && *value <= 0x1p53 && *value == std::floor(*value))
+      return static_cast<std::uint64_t>(*value);
+    faults.add(fault.file, fault.pointer, fault.value, fault.rule);
+    return 1;
+  };
+  if (!options.seed.empty()) return checked(parse_number(options.seed), {"--seed", "", options.seed, kRule});
+  constexpr const char* kPlace = "/sweep/seed";
+  const auto* seed = document.find(kPlace);
+  if (seed == nullptr) return 1;
+  return checked(seed->is_number() ? std::optional(seed->get<double>()) : std::nullopt,
+                 {document.source(kPlace), kPlace, shown(*seed), kRule});
+}
+
+struct CheckedTest {
+  Scene scene;
+  std::uint64_t seed = 1;
+};
+
+/// The case with what was set on the command line; faults of it are added.
+CheckedTest test_of_case(const SimulateOptions& options, Faults& faults) {
+  CheckedTest test;
+  CaseDocument document;
+  try {
+    document = CaseDocument::load(options.case_file);
+    for (const std::string& assignment : options.assignments)
+      document.set_from_command_line(assignment, faults);
+    test.scene = read_scene(document, faults);
+  } catch (const InputError& error) {
+    faults.add(error);
+  }
+  test.seed = seed_for(options, document, faults);
+  return test;
+}
+
+/// The test, and the faults of everything that was asked for.
+CheckedTest checked_test(const SimulateOptions& options) {
   Faults faults;
-  for (const std::string& assignment : options.assignments)
-    document.set_from_command_line(assignment, faults);
-  const Scene scene = read_scene(document, faults);
+  CheckedTest test = test_of_case(options, faults);
   if (!options.out.empty()) check_folder(faults, options.out);
   check_range(faults, "--frames", options.frames, 0, kMostFrames,
               fmt::format("must be between 0 and {}", kMostFrames));
   check_range(faults, "--threads", options.threads, 1, Crew::kMostMembers,
               fmt::format("must be between 1 and {}", Crew::kMostMembers));
-  if (options.seed && *options.seed < 0)
-    faults.add("--seed", "", std::to_string(*options.seed), "must be 0 or more");
   if (options.frames > 0 && options.out.empty())
     faults.add("--frames", "", std::to_string(options.frames), "needs --out for the folder to write to");
   faults.throw_if_any();
-  return scene;
-}
-
-/// Without --seed: the seed of the case's sweep where it has one, otherwise 1.
-std::uint64_t seed_for(const SimulateOptions& options, const CaseDocument& document) {
-  if (options.seed) return static_cast<std::uint64_t>(*options.seed);
-  const auto* seed = document.find("/sweep/seed");
-  return seed != nullptr && seed->is_number_unsigned() ? seed->get<std::uint64_t>() : 1;
+  return test;
 }
 
 std::string text_of(const Progress& progress) {
@@ -69,8 +99,7 @@ int exit_code_of_outcome(Outcome outcome) {
 }
 
 int simulate(const SimulateOptions& options) {
-  CaseDocument document = CaseDocument::load(options.case_file);
-  const Scene scene = checked_scene(options, document);
+  const auto [scene, seed] = checked_test(options);
   const std::filesystem::path folder = options.out;
   if (!options.out.empty()) make_folder(folder);
 
@@ -88,7 +117,7 @@ int simulate(const SimulateOptions& options) {
     run.on_frame = [&](const HeapSnapshot& heap) { frames->add(heap); };
   }
 
-  const RunResult result = run_slump_test(scene, seed_for(options, document), run);
+  const RunResult result = run_slump_test(scene, seed, run);
   line.finish();
   if (frames) frames->finish(result.heap);
   const auto json = to_json(result, scene.title);

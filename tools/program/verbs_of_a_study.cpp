@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "sweep/export.hpp"
+#include "sweep/study.hpp"
 #include "tools/program/output_folder.hpp"
 #include "tools/program/progress_line.hpp"
 #include "tools/program/sweep_runner.hpp"
@@ -86,9 +87,23 @@ struct ExportOptions {
   fs::path file;
 };
 
+/// Whether a file is one of those that make up a study.
+bool is_of_study(const fs::path& file, const fs::path& folder) {
+  std::error_code error;
+  return fs::equivalent(file, folder / sweep::kStudyFile, error) ||
+         fs::equivalent(file, folder / sweep::kCaseFile, error);
+}
+
 int export_verb(const ExportOptions& options) {
   Faults faults;
   check_output_file(faults, options.file);
+  if (is_of_study(options.file, options.folder))
+    faults.add("--csv", "", options.file.string(), "is a file of the study itself");
+  try {
+    sweep::open_study(options.folder);
+  } catch (const InputError& error) {
+    faults.add(error);
+  }
   faults.throw_if_any();
   sweep::export_csv(options.folder, options.file);
   if (options.common.json)

@@ -122,6 +122,7 @@ std::string next_command(const fit::PowerLaw& law, const fit::Inversion& inversi
 std::string of_band(const fit::PowerLaw& law, const fit::Inversion& inversion) {
   const double sigma = inversion.question.sigma;
   const double scatter = law.error.standard_deviation;
+  if (!inversion.remark.empty()) return inversion.remark;
   if (sigma <= 0.0) {
     return "No error of the measured angle was given (--sigma): the band holds the equation's own error "
            "alone.";

@@ -38,6 +38,8 @@ TEST(Exclude, IsTheSamePointerOrOneBelowIt) {
   EXPECT_TRUE(exclude_each_other(rungs[0], rungs[1]));
   EXPECT_TRUE(exclude_each_other(rungs[4], rungs[5]));
   EXPECT_FALSE(exclude_each_other(rungs[0], rungs[2]));
+  EXPECT_TRUE(exclude_each_other(rungs[0], candidate("step in s", {"/numerics/time_step_s"}, 0, 1)))
+      << "a case gives one of the two";
   EXPECT_FALSE(exclude_each_other(candidate("a", {"/numerics/time"}, 0, 1), rungs[0]));
 }
 
@@ -104,6 +106,13 @@ TEST(CombinationsWithin, StandOnTheWorkingPoint) {
   const auto alone = combinations_within(0.5, {}, working_point);
   ASSERT_EQ(alone.size(), 1U);
   EXPECT_TRUE(alone.front().rungs.empty());
+}
+
+TEST(CombinationsWithin, AreCheaperThanTheReference) {
+  const std::vector<Candidate> rungs = {candidate("soft", {"/numerics/stiffness_scale"}, 0.1, 0.5)};
+  const auto found = combinations_within(0.5, rungs, candidate("working point", {}, 0.1, 1.05));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(name_of(found[0], rungs), "soft");
 }
 
 TEST(CombinationsWithin, CountTheNoiseOfTheWorkingPointAsOftenAsItOccurs) {

@@ -74,6 +74,26 @@ TEST(DefaultLadder, StandsOnTheReference) {
   EXPECT_TRUE(names_of(document).contains("step 0.2 T_R"));
 }
 
+TEST(DefaultLadder, LetsTheWorkingPointReplaceTheReferencesStep) {
+  CaseDocument document = CaseDocument::load("cases/quick.json");
+  document.set("/chart", CaseDocument::Json::parse(R"({"reference": {"/numerics/time_step_s": 7e-5},
+    "working_point": {"/numerics/time_step_fraction": 0.3}})"),
+               "test");
+  EXPECT_TRUE(names_of(document).contains("step 0.6 T_R"));
+}
+
+TEST(DefaultLadder, LeavesFaultsOfTheCaseToTheSweep) {
+  CaseDocument document = CaseDocument::load("cases/quick.json");
+  document.set("/particles/density_kg_m3", -1, "test");
+  try {
+    sweep::make_plan(with_chart(document));
+    FAIL() << "the density is negative";
+  } catch (const InputError& error) {
+    ASSERT_EQ(error.faults().size(), 1U) << error.what();
+    EXPECT_EQ(error.faults().front().pointer, "/particles/density_kg_m3");
+  }
+}
+
 TEST(DefaultLadder, StandsOnTheWorkingPoint) {
   CaseDocument document = CaseDocument::load("cases/quick.json");
   document.set("/chart", CaseDocument::Json::parse(R"({"reference": {"/numerics/time_step_fraction": 0.1},

@@ -35,8 +35,7 @@ TEST_F(Inheritance, MergesObjectsAndReplacesTheRest) {
             Json::parse(R"({"title": "b", "particles": {"density_kg_m3": 1, "shapes": [3]}, "walls": 7})"));
 }
 
-// The examples of RFC 7386, appendix A, that are objects on both sides (a case is one). Null where nothing is
-// inherited stays, so that it meets the checks of every other value.
+// The examples of RFC 7386, appendix A, that are objects on both sides (a case is one).
 TEST_F(Inheritance, IsTheMergePatchOfItsStandard) {
   const struct {
     const char *base, *patch, *result;
@@ -50,7 +49,9 @@ TEST_F(Inheritance, IsTheMergePatchOfItsStandard) {
       {R"({"a":{"b":"c"}})", R"({"a":{"b":"d","c":"e"}})", R"({"a":{"b":"d","c":"e"}})"},
       {R"({"a":{"b":"c"}})", R"({"a":[1]})", R"({"a":[1]})"},
       {R"({"a":[{"b":"c"}]})", R"({"a":[1]})", R"({"a":[1]})"},
-      {R"({"a":"foo"})", R"({"b":null})", R"({"a":"foo","b":null})"},
+      {R"({"a":"foo"})", R"({"b":null})", R"({"a":"foo"})"},
+      {R"({"a":{"b":"c"}})", R"({"a":{"b":"d","c":null}})", R"({"a":{"b":"d"}})"},
+      {R"({})", R"({"a":{"bb":{"ccc":null}}})", R"({"a":{"bb":{}}})"},
   };
   for (const auto& example : examples) {
     write("base.json", example.base);
@@ -111,6 +112,28 @@ TEST_F(Inheritance, LetsOneWayToGiveATimeStepReplaceTheOther) {
   EXPECT_EQ(load("b.json").json()["numerics"], Json::parse(R"({"stiffness_scale": 1, "time_step_s": 5e-6})"));
   EXPECT_EQ(load("c.json").json()["numerics"],
             Json::parse(R"({"stiffness_scale": 1, "time_step_fraction": 0.4})"));
+}
+
+/// "link" leads to real/inner, whose parent is real, not the folder that the link lies in.
+TEST_F(Inheritance, FollowsLinksAsTheSystemDoes) {
+  write("parent.json", R"({"title": "beside the link"})");
+  write("real/parent.json",
+        R"({"title": "above the folder", "particles": {"shapes": [{"mesh": "../a.stl"}]}})");
+  write("real/inner/case.json", R"({"base": "../parent.json", "walls": {"x": 1}})");
+  std::filesystem::create_directory_symlink(path("real/inner"), path("link"));
+  const CaseDocument document = load("link/case.json");
+  EXPECT_EQ(document.json().at("title"), "above the folder");
+  write("a.stl", "");
+  EXPECT_TRUE(
+      std::filesystem::equivalent(document.resolve("/particles/shapes/0/mesh", "../a.stl"), path("a.stl")));
+}
+
+TEST_F(Inheritance, NamesTheFileThatClosesALoopBelowTheCase) {
+  write("a.json", R"({"base": "b.json"})");
+  write("b.json", R"({"base": "c.json"})");
+  write("c.json", R"({"base": "b.json"})");
+  EXPECT_TRUE(fault("a.json").ends_with("inherits from itself: " + path("b.json") + " is reached again"))
+      << fault("a.json");
 }
 
 TEST_F(Inheritance, RefusesACircle) {

@@ -124,6 +124,36 @@ TEST(ChartDesign, WorkingPointIsShorthand) {
   EXPECT_EQ(keys(once), keys(often));
 }
 
+TEST(ChartDesign, OneSetGivesOneOfTwoKeysThatExcludeEachOther) {
+  Json chart = small_chart();
+  chart["working_point"] = {{"/numerics/time_step_s", 1e-5}, {"/numerics/time_step_fraction", 0.1}};
+  const std::string message = message_of([&] { make_plan(document_of(charted(chart))); });
+  EXPECT_NE(message.find("/chart/working_point/~1numerics~1time_step"), std::string::npos) << message;
+  EXPECT_NE(message.find("excludes /numerics/time_step"), std::string::npos) << message;
+  // What a rung gives takes the place of the other that it stands on.
+  chart["working_point"] = {{"/numerics/time_step_s", 1e-5}};
+  const Plan plan = make_plan(document_of(charted(chart)));
+  EXPECT_EQ(plan.points[3].scene.numerics.time_step, 1e-5);
+  EXPECT_EQ(plan.points[6].scene.numerics.time_step_fraction, 0.4);
+  EXPECT_FALSE(plan.points[6].scene.numerics.time_step);
+  EXPECT_EQ(plan.design.ladder.rungs[1].set.size(), 1U);
+}
+
+TEST(ChartDesign, NamesEveryFaultOfFrictionsAndRungsTogether) {
+  Json chart = small_chart();
+  chart["frictions"] =
+      Json::parse(R"([{"mu_s": -1, "mu_r": 0.1}, {"mu_s": -2, "mu_r": 0.2}, {"mu_s": 0.3, "mu_r": -7}])");
+  chart["working_point"] = {{"/numerics/stiffness_scale", -1}};
+  chart["rungs"][1]["set"] = {{"/contact/rolling_model", 7}};
+  chart["replicates"] = 1;
+  const std::string message = message_of([&] { make_plan(document_of(charted(chart))); });
+  for (const char* fault :
+       {"/chart/frictions/mu_s = -1", "/chart/frictions/mu_s = -2", "/chart/frictions/mu_r = -7",
+        "/chart/working_point/~1numerics~1stiffness_scale = -1",
+        "/chart/rungs/1/set/~1contact~1rolling_model = 7", "/chart/replicates = 1"})
+    EXPECT_NE(message.find(fault), std::string::npos) << fault << "\nin\n" << message;
+}
+
 TEST(ChartDesign, NamesFaultsOfTheWorkingPointOnce) {
   Json chart = small_chart();
   chart["working_point"] = {{"/numerics/stiffness_scale", -1}, {"/numerics/time_stop", 1}};

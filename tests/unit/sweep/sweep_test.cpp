@@ -274,6 +274,9 @@ TEST_F(SweepTest, MergeRefusesOtherCasesAndOtherResults) {
     named += is_named ? 1 : 0;
   }
   EXPECT_EQ(named, 4);
+  EXPECT_NE(message.find((folder_ / "two").string()), std::string::npos)
+      << "the studies that disagree are named";
+  EXPECT_FALSE(fs::exists(study())) << "nothing stays of a merge that is refused";
 }
 
 constexpr const char* kStudyVariable = "REPOSE_TEST_STUDY";
