@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "engine/scene/json_file.hpp"
+#include "engine/base/json_file.hpp"
 #include "sweep/ladder.hpp"
 
 namespace repose::chart {

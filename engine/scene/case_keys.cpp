@@ -7,8 +7,8 @@
 #include <array>
 #include <map>
 
+#include "engine/base/json_file.hpp"
 #include "engine/scene/did_you_mean.hpp"
-#include "engine/scene/json_file.hpp"
 #include "engine/scene/names.hpp"
 
 namespace repose {
