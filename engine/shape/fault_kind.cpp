@@ -1,0 +1,17 @@
+#include "engine/shape/fault_kind.hpp"
+
+#include <fmt/format.h>
+
+namespace repose {
+
+FaultKind::~FaultKind() {
+  if (count_ > kNamedFaults)
+    faults_.add(file_, fmt::format("{} more {}", count_ - kNamedFaults, others_), "", last_rule_);
+}
+
+void FaultKind::add(const std::string& place, const std::string& value, const std::string& rule) {
+  if (++count_ <= kNamedFaults) faults_.add(file_, place, value, rule);
+  last_rule_ = rule;
+}
+
+}  // namespace repose
