@@ -229,9 +229,8 @@ GeneratedClump generate_clump(const Mesh& mesh, const ClumpOptions& options) {
   if (options.spheres) {
     GeneratedClump made = generator.make(*options.spheres);
     if (!mass_faults(made.clump).empty())
-      throw InputError(
-          {mesh.name, "", fmt::format("{} spheres", *options.spheres),
-           "are too few for a body as thin as this: they cannot have its mass and moments of inertia"});
+      throw InputError({mesh.name, "spheres", fmt::format("{}", *options.spheres),
+                        "is too few for a body as thin as this: so few cannot have its mass and moments"});
     return made;
   }
   for (int count = 1;; ++count) {

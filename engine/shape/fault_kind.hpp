@@ -27,7 +27,7 @@ class FaultKind {
   Faults& faults_;
   std::string file_;
   std::string others_;
-  std::string last_rule_;
+  std::string rest_;  ///< the rule that the others break
   std::size_t count_ = 0;
 };
 

@@ -119,6 +119,21 @@ TEST(Clump, NamesEveryOptionThatItCannotFollow) {
   EXPECT_EQ(files_in(folder), std::vector<std::string>{"x.obj"});
 }
 
+TEST(Clump, OfAStudyThatCannotBeMadeDoesNotCostTheOthers) {
+  const TemporaryFolder folder;
+  // A needle of 10 mm, 0.5 mm thick: one sphere cannot have its moments of inertia.
+  write_text(folder / "needle.obj",
+             "v 0 0 0\nv 0.01 0 0\nv 0 0.0005 0\nv 0 0 0.0005\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  const Finished answer = repose({"clump", "needle.obj", "--spheres", "1,12", "--study", "d"}, folder.path());
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_NE(answer.err.find("needle.obj: spheres = 1: is too few for a body as thin as this"),
+            std::string::npos)
+      << answer.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "d" / "needle_1.json"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "d" / "needle_12.json"));
+  EXPECT_EQ(lines_with(text_of(folder / "d" / "errors.csv"), "needle"), 1);
+}
+
 TEST(Clump, PutsNoPictureOnStandardOutput) {
   const TemporaryFolder folder;
   write_text(folder / "x.obj", tetrahedron(true));

@@ -177,6 +177,7 @@ int one_clump(const ClumpVerbOptions& options, const ClumpOptions& wanted, const
 }
 
 /// Every mesh with every number of spheres: clumps, a table of errors, and per mesh the pictures of both.
+/// Clumps that cannot be made are named in the end, when the others are written.
 int study(const ClumpVerbOptions& options, const ClumpOptions& wanted, const std::vector<Source>& sources) {
   const std::filesystem::path folder = options.study;
   std::string table =
@@ -184,6 +185,7 @@ int study(const ClumpVerbOptions& options, const ClumpOptions& wanted, const std
       "sphericity,"
       "mesh_sphericity,smallest_radius_mm,cpu_s\n";
   Json rows = Json::array();
+  Faults refused;
   for (const Source& source : sources) {
     const Mesh& mesh = source.read.mesh;
     std::vector<Clump> clumps;
@@ -192,7 +194,13 @@ int study(const ClumpVerbOptions& options, const ClumpOptions& wanted, const std
       ClumpOptions own = wanted;
       own.spheres = count;
       const std::clock_t start = std::clock();
-      const GeneratedClump made = clump_of(source, own);
+      GeneratedClump made;
+      try {
+        made = clump_of(source, own);
+      } catch (const InputError& error) {
+        refused.add(error);
+        continue;
+      }
       const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
       write_clump_to(folder / fmt::format("{}_{}.json", mesh.name, count), made, options);
       const std::string row =
@@ -208,12 +216,13 @@ int study(const ClumpVerbOptions& options, const ClumpOptions& wanted, const std
       clumps.push_back(made.clump);
       points.push_back({count, made.errors.volume_error, made.errors.eit_error, made.errors.mean_distance});
     }
-    if (!options.picture.empty()) {
+    if (!options.picture.empty() && !clumps.empty()) {
       draw_clumps(folder / (mesh.name + "_clumps.png"), mesh, clumps);
       draw_errors(folder / (mesh.name + "_errors.png"), mesh.name, points);
     }
   }
   write_text(folder / "errors.csv", table);
+  refused.throw_if_any();
   if (options.common.json)
     print_json({{"errors", rows}});
   else

@@ -71,7 +71,7 @@ TEST(ThinBodies, AreRefusedWhereTheSpheresCannotHaveTheirMassProperties) {
     generate_clump(box_mesh(1e-3 * Vec3(20.0, 0.2, 0.2)), {.spheres = 1});
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("1 spheres: are too few for a body as thin as this"));
+    EXPECT_THAT(error.what(), HasSubstr("spheres = 1: is too few for a body as thin as this"));
   }
 }
 
