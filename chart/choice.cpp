@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "engine/base/json_file.hpp"
 #include "engine/scene/case_keys.hpp"
-#include "engine/scene/json_file.hpp"
 #include "sweep/ladder.hpp"
 
 namespace repose::chart {

@@ -1,6 +1,6 @@
 #include "chart/chosen_case.hpp"
 
-#include "engine/scene/json_file.hpp"
+#include "engine/base/json_file.hpp"
 #include "engine/scene/tidy_path.hpp"
 
 namespace repose::chart {

@@ -9,9 +9,9 @@
 #include <optional>
 #include <set>
 
+#include "engine/base/json_file.hpp"
 #include "engine/scene/case_keys.hpp"
 #include "engine/scene/did_you_mean.hpp"
-#include "engine/scene/json_file.hpp"
 #include "sweep/factor.hpp"
 #include "sweep/sobol.hpp"
 #include "sweep/table_reader.hpp"

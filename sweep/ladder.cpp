@@ -6,9 +6,9 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/base/json_file.hpp"
 #include "engine/scene/case_keys.hpp"
 #include "engine/scene/did_you_mean.hpp"
-#include "engine/scene/json_file.hpp"
 #include "engine/scene/tidy_path.hpp"
 #include "sweep/factor.hpp"
 

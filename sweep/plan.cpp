@@ -9,10 +9,10 @@
 #include <set>
 #include <tuple>
 
+#include "engine/base/json_file.hpp"
 #include "engine/base/random.hpp"
 #include "engine/run/run.hpp"
 #include "engine/scene/case_keys.hpp"
-#include "engine/scene/json_file.hpp"
 #include "engine/scene/scene_reader.hpp"
 #include "sweep/design_reader.hpp"
 

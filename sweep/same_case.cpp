@@ -2,9 +2,9 @@
 
 #include <array>
 
+#include "engine/base/json_file.hpp"
 #include "engine/run/run.hpp"
 #include "engine/scene/case_keys.hpp"
-#include "engine/scene/json_file.hpp"
 #include "engine/scene/scene_reader.hpp"
 #include "sweep/self_contained.hpp"
 

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "engine/scene/json_file.hpp"
+#include "engine/base/json_file.hpp"
 #include "sweep/same_case.hpp"
 #include "sweep/self_contained.hpp"
 

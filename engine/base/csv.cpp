@@ -19,24 +19,46 @@ std::string trimmed(const std::string& text) {
 }
 
 /// Cells of one line; a quoted cell may hold commas and doubled quotes, but no line break.
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells(1);
-  bool quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
-    if (c == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"') {
-      cells.back() += '"';
-      ++i;
-    } else if (c == '"') {
-      quoted = !quoted;
-    } else if (c == ',' && !quoted) {
-      cells.emplace_back();
-    } else {
-      cells.back() += c;
-    }
+class LineOfCells {
+ public:
+  explicit LineOfCells(const std::string& line) {
+    for (at_ = 0; at_ <= line.size(); ++at_) read_cell(line);
   }
-  for (std::string& cell : cells) cell = trimmed(cell);
-  return cells;
+  std::vector<std::string> cells;
+  std::string fault;  ///< what is wrong with the quotes; empty where nothing is
+
+ private:
+  /// Reads up to the comma or the end of the line.
+  void read_cell(const std::string& line) {
+    const auto start = line.find_first_not_of(" \t\r", at_);
+    if (start == std::string::npos || line[start] != '"') {
+      const auto comma = std::min(line.find(',', at_), line.size());
+      cells.push_back(trimmed(line.substr(at_, comma - at_)));
+      if (cells.back().find('"') != std::string::npos)
+        fault = "holds a quote inside a cell that does not begin with one";
+      at_ = comma;
+      return;
+    }
+    std::string text;
+    for (at_ = start + 1; at_ < line.size(); ++at_) {
+      if (line[at_] == '"' && (at_ + 1 == line.size() || line[at_ + 1] != '"')) break;
+      if (line[at_] == '"') ++at_;
+      text += line[at_];
+    }
+    if (at_ >= line.size()) fault = "holds a quote that is not closed on its line";
+    const auto comma = std::min(line.find(',', at_), line.size());
+    if (at_ < comma && !trimmed(line.substr(at_ + 1, comma - at_ - 1)).empty())
+      fault = "holds text behind the closing quote of a cell";
+    cells.push_back(trimmed(text));
+    at_ = comma;
+  }
+
+  std::size_t at_ = 0;
+};
+
+/// Whether the header's only cell holds what other programs separate cells by.
+bool is_separated_otherwise(const std::vector<std::string>& header) {
+  return header.size() == 1 && header.front().find_first_of(";\t") != std::string::npos;
 }
 
 void check_header(const CsvTable& table, int line, Faults& faults) {
@@ -70,10 +92,17 @@ CsvTable read_csv(const std::filesystem::path& file) {
     if (number == 1 && line.starts_with("\xEF\xBB\xBF"))
       line.erase(0, 3);  // the byte order mark of spreadsheets
     if (const std::string text = trimmed(line); text.empty() || text.front() == '#') continue;
-    std::vector<std::string> cells = cells_of(line);
+    LineOfCells read(line);
+    std::vector<std::string>& cells = read.cells;
+    if (!read.fault.empty()) faults.add(table.file, "line " + std::to_string(number), "", read.fault);
+    if (table.columns.empty() && is_separated_otherwise(cells))
+      throw InputError(
+          {table.file, "line " + std::to_string(number), cells.front(), "cells must be separated by commas"});
     if (table.columns.empty()) {
       table.columns = std::move(cells);
       check_header(table, number, faults);
+    } else if (!read.fault.empty()) {
+      continue;  // its cells may be others than were meant
     } else if (cells.size() != table.columns.size()) {
       faults.add(table.file, "line " + std::to_string(number), std::to_string(cells.size()) + " cells",
                  "must have " + std::to_string(table.columns.size()) + " like the header");

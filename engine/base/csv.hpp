@@ -19,8 +19,9 @@ struct CsvTable {
   [[nodiscard]] std::optional<std::size_t> column(const std::string& name) const;
 };
 
-/// Throws InputError: file missing, empty, a column named twice or without a name, rows whose number of cells
-/// is not the header's (each with its line).
+/// Throws InputError: file missing, empty, a header whose cells are separated otherwise than by commas, a
+/// column named twice or without a name, quotes that are not closed or stand inside a cell without them, rows
+/// whose number of cells is not the header's (each with its line).
 CsvTable read_csv(const std::filesystem::path& file);
 
 /// The number that a cell holds in full ("1.5e-3"), or nothing: text, empty, infinite and NaN are not

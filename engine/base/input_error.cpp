@@ -20,4 +20,10 @@ std::string all_of(const std::vector<Fault>& faults) {
 InputError::InputError(std::vector<Fault> faults)
     : std::runtime_error(all_of(faults)), faults_(std::move(faults)) {}
 
+InputError InputError::in_file(const std::string& file) const {
+  std::vector<Fault> faults = faults_;
+  for (Fault& fault : faults) fault.file = file;
+  return InputError(std::move(faults));
+}
+
 }  // namespace repose

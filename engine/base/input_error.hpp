@@ -23,6 +23,8 @@ class InputError : public std::runtime_error {
   explicit InputError(std::vector<Fault> faults);
   explicit InputError(Fault fault) : InputError(std::vector<Fault>{std::move(fault)}) {}
   [[nodiscard]] const std::vector<Fault>& faults() const { return faults_; }
+  /// The same faults under the name of a file, where they were found by what knows of none.
+  [[nodiscard]] InputError in_file(const std::string& file) const;
 
  private:
   std::vector<Fault> faults_;

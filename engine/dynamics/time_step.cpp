@@ -11,7 +11,8 @@ namespace repose {
 double smallest_scale(const Particles& particles, const Clump& shape) {
   if (particles.size_classes.empty()) return 1.0;
   double volume = std::numeric_limits<double>::infinity();
-  for (const SizeClass& size : particles.size_classes) volume = std::min(volume, size.volume_min);
+  for (const SizeClass& size : particles.size_classes)
+    if (size.number_fraction > 0.0) volume = std::min(volume, size.volume_min);
   return std::cbrt(volume / shape.volume);
 }
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/json_file.hpp"
 #include "engine/scene/case_keys.hpp"
-#include "engine/scene/json_file.hpp"
 #include "engine/scene/tidy_path.hpp"
 
 namespace repose {

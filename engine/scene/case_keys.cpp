@@ -7,9 +7,10 @@
 #include <array>
 #include <map>
 
+#include "engine/base/json_file.hpp"
 #include "engine/scene/did_you_mean.hpp"
-#include "engine/scene/json_file.hpp"
 #include "engine/scene/names.hpp"
+#include "engine/shape/clump_generator.hpp"
 
 namespace repose {
 
@@ -22,6 +23,7 @@ constexpr Range kFraction{.low = 0.0, .high = 1.0};
 constexpr Range kPercent{.low = 0.0, .high = 100.0};
 constexpr Range kPoisson{.low = 0.0, .high = 0.5, .low_open = false, .high_open = true};
 constexpr Range kAtLeastOne{.low = 1.0};
+constexpr Range kSpheres{.low = 1.0, .high = kMostSpheres};
 constexpr Range kTwo{.low = 2.0, .high = 2.0};
 constexpr Range kSchema{.low = 1.0, .high = 1.0};
 
@@ -64,7 +66,7 @@ std::vector<CaseKey> make_keys() {
       number("/particles/shapes/*/diameter_mm", kPositive),
       text("/particles/shapes/*/clump"),
       text("/particles/shapes/*/mesh"),
-      integer("/particles/shapes/*/spheres", kAtLeastOne),
+      integer("/particles/shapes/*/spheres", kSpheres),
       list("/particles/size_classes", kAtLeastOne),
       object("/particles/size_classes/*"),
       list("/particles/size_classes/*/volume_mm3", kTwo),

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/base/json_file.hpp"
 #include "engine/scene/case_keys.hpp"
 #include "engine/scene/did_you_mean.hpp"
-#include "engine/scene/json_file.hpp"
 
 namespace repose {
 

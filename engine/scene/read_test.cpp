@@ -29,6 +29,7 @@ Sizes sizes_of(const Particles& particles) {
   const double share = 1.0 / static_cast<double>(particles.shapes.size());
   double largest_class = 0.0;
   for (const SizeClass& size : particles.size_classes) {
+    if (size.number_fraction == 0.0) continue;  // nothing of it is poured
     largest_class = std::max(largest_class, size.volume_max);
     sizes.mean_volume += size.number_fraction * 0.5 * (size.volume_min + size.volume_max);
   }

@@ -1,5 +1,6 @@
 #include "engine/scene/shape_cache.hpp"
 
+#include "engine/base/input_error.hpp"
 #include "engine/shape/clump_generator.hpp"
 #include "engine/shape/mesh_file.hpp"
 
@@ -23,7 +24,12 @@ const Clump& ShapeCache::clump_of_mesh(const std::filesystem::path& file, int sp
   return found_or_made(clumps_, {file.string(), spheres}, [&] {
     ClumpOptions options;
     options.spheres = spheres;
-    return generate_clump(read_mesh(file), options).clump;
+    const Mesh mesh = read_mesh(file);
+    try {
+      return generate_clump(mesh, options).clump;
+    } catch (const InputError& error) {
+      throw error.in_file(file.string());
+    }
   });
 }
 

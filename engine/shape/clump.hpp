@@ -12,6 +12,10 @@ namespace repose {
 struct Sphere {
   Vec3 centre = Vec3::Zero();  ///< [m], in the principal frame of the body, from its centre of mass
   double radius = 0.0;         ///< [m]
+
+  [[nodiscard]] bool operator==(const Sphere& other) const {
+    return centre == other.centre && radius == other.radius;
+  }
 };
 
 /// A rigid body made of spheres, with the mass properties of what it represents, for density 1.
@@ -34,8 +38,9 @@ struct Clump {
 Clump sphere_clump(double radius);
 
 /// Reads a clump file (README.md holds the format). Spheres marked `inner` are left out: nothing can touch
-/// them. Throws InputError with every fault: no spheres, a radius ≤ 0, mass or moments ≤ 0, moments that
-/// break the triangle inequality, a body larger than its mass properties allow, unknown keys.
+/// them. Throws InputError with every fault: no spheres, a radius ≤ 0, two spheres alike, mass or moments ≤
+/// 0, moments that break the triangle inequality, mass properties that no body of these spheres has
+/// (mass_faults()), unknown keys, a key given twice.
 Clump read_clump(const std::filesystem::path& file);
 
 /// What a clump file holds beyond the clump itself.

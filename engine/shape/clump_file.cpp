@@ -1,14 +1,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "engine/base/input_error.hpp"
+#include "engine/base/json_file.hpp"
 #include "engine/shape/clump.hpp"
 #include "engine/shape/clump_export.hpp"
+#include "engine/shape/clump_mass.hpp"
 
 namespace repose {
 
@@ -16,24 +16,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json parsed(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file))
-    throw InputError({file.string(), "", "", "cannot be opened"});
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  try {
-    return Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    throw InputError({file.string(), fmt::format("byte {}", error.byte), "", "is not JSON"});
-  } catch (const Json::out_of_range&) {
-    throw InputError({file.string(), "", "", "holds a number that is too large"});
-  }
-}
-
 /// Reads one clump file; every fault is collected, and what could not be read stays at zero.
 class ClumpReader {
  public:
-  explicit ClumpReader(const std::filesystem::path& file) : file_(file.string()), json_(parsed(file)) {}
+  explicit ClumpReader(const std::filesystem::path& file) : file_(file.string()), json_(read_json(file)) {}
 
   Clump read() {
     if (!json_.is_object()) throw InputError({file_, "", json_.type_name(), "must be an object"});
@@ -48,14 +34,15 @@ class ClumpReader {
     const double density = json_.contains("density_kg_m3") ? positive(json_, "density_kg_m3", "") : 1.0;
     clump.volume = positive(json_, "mass", "") / density;
     clump.inertia = moments() / density;
-    if (faults_.list().size() == faults_of_spheres) check_size(clump);
+    if (faults_.list().size() == faults_of_spheres) check_mass(clump);
+    check_twins(clump);
     faults_.throw_if_any();
     return clump;
   }
 
  private:
   void fault(const std::string& pointer, const Json& value, const std::string& rule) {
-    faults_.add(file_, pointer, value.dump(), rule);
+    faults_.add(file_, pointer, shown(value), rule);
   }
 
   void known_keys(const Json& object, const std::string& pointer, const std::set<std::string>& known) {
@@ -108,7 +95,9 @@ class ClumpReader {
       const bool marked = item.contains("inner");
       if (marked && !item["inner"].is_boolean())
         fault(pointer + "/inner", item["inner"], "must be true or false");
-      if (!marked || item["inner"] != true) clump.spheres.push_back({centre, radius});
+      if (marked && item["inner"] == true) continue;
+      clump.spheres.push_back({centre, radius});
+      places_.push_back(i);
     }
     if (clump.spheres.empty()) faults_.add(file_, "/spheres", "", "must hold a sphere that is not inner");
   }
@@ -134,26 +123,24 @@ class ClumpReader {
     return moments;
   }
 
-  /// A unit mixed up (millimetres, a mass for another density) moves the volume by orders of magnitude: the
-  /// body must fit into the sphere around it, and cannot be smaller than a hundredth of its largest sphere.
-  void check_size(const Clump& clump) {
-    double largest = 0.0;
-    for (const Sphere& sphere : clump.spheres) largest = std::max(largest, sphere.radius);
-    const auto ball = [](double radius) { return 4.0 / 3.0 * kPi * radius * radius * radius; };
-    if (clump.volume > 2.0 * ball(clump.bounding_radius()) || clump.volume < 0.01 * ball(largest))
-      fault("/mass", json_["mass"],
-            "does not fit the size of the spheres: lengths are in m, mass is density × volume");
-    // Each moment is ∫ (distance from an axis)² dV: that of a body that lies within the sphere around it and
-    // fills some of its largest sphere.
-    const double reach = clump.bounding_radius();
-    if (clump.inertia.maxCoeff() > 2.0 * clump.volume * reach * reach ||
-        clump.inertia.minCoeff() < 0.01 * 0.4 * ball(largest) * largest * largest)
-      fault("/inertia", json_["inertia"],
-            "does not fit the size of the spheres: lengths are in m, moments are density × ∫ r² dV");
+  void check_mass(const Clump& clump) {
+    for (const MassFault& found : mass_faults(clump)) fault("/" + found.key, json_[found.key], found.rule);
+  }
+
+  /// Two spheres in one place are a slip of the list; the second would double every force of the first.
+  void check_twins(const Clump& clump) {
+    for (std::size_t i = 0; i < clump.spheres.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (clump.spheres[i] == clump.spheres[j]) {
+          fault(fmt::format("/spheres/{}", places_[i]), json_["spheres"][places_[i]],
+                fmt::format("is the same as sphere {}", places_[j]));
+          break;
+        }
   }
 
   std::string file_;
   Json json_;
+  std::vector<std::size_t> places_;  ///< in the file, of every sphere that is carried
   Faults faults_;
 };
 

@@ -87,19 +87,45 @@ VectorXd damped_step(const NormalEquations& normal, const VectorXd& scale, doubl
   return step;
 }
 
-/// Radii that stand at their bound and would go below it take no part in the step.
-void hold_at_bound(NormalEquations& normal, const std::vector<Sphere>& spheres, double min_radius) {
+/// What the radii and centres of a fit keep to.
+struct Bounds {
+  double least = 0.0;    ///< radius
+  double largest = 0.0;  ///< radius
+  Eigen::AlignedBox3d room;
+
+  explicit Bounds(const FitTarget& target)
+      : least(std::max(target.min_radius, kLeastRadius)),
+        largest(std::max(target.max_radius, least)),
+        room(target.room) {}
+
+  [[nodiscard]] Sphere applied(Sphere sphere) const {
+    sphere.radius = std::clamp(sphere.radius, least, largest);
+    if (!room.isEmpty()) sphere.centre = sphere.centre.cwiseMax(room.min()).cwiseMin(room.max());
+    return sphere;
+  }
+  /// Whether number k of (x, y, z, r) stands at a bound that a step along `rhs` would cross.
+  [[nodiscard]] bool holds(const Sphere& sphere, Index k, double rhs) const {
+    if (k == 3) return rhs < 0.0 ? sphere.radius <= least : rhs > 0.0 && sphere.radius >= largest;
+    if (room.isEmpty()) return false;
+    return rhs < 0.0 ? sphere.centre[k] <= room.min()[k] : rhs > 0.0 && sphere.centre[k] >= room.max()[k];
+  }
+};
+
+/// Numbers that stand at their bound and would go beyond it take no part in the step.
+void hold_at_bound(NormalEquations& normal, const std::vector<Sphere>& spheres, const Bounds& bounds) {
   for (std::size_t k = 0; k < spheres.size(); ++k) {
-    const Index i = 4 * static_cast<Index>(k) + 3;
-    if (spheres[k].radius > min_radius || normal.rhs[i] >= 0.0) continue;
-    normal.matrix.row(i).setZero();
-    normal.matrix.col(i).setZero();
-    normal.matrix(i, i) = 1.0;
-    normal.rhs[i] = 0.0;
+    for (Index own = 0; own < 4; ++own) {
+      const Index i = 4 * static_cast<Index>(k) + own;
+      if (!bounds.holds(spheres[k], own, normal.rhs[i])) continue;
+      normal.matrix.row(i).setZero();
+      normal.matrix.col(i).setZero();
+      normal.matrix(i, i) = 1.0;
+      normal.rhs[i] = 0.0;
+    }
   }
 }
 
-std::vector<Sphere> stepped(const std::vector<Sphere>& spheres, const VectorXd& step, double min_radius) {
+std::vector<Sphere> stepped(const std::vector<Sphere>& spheres, const VectorXd& step, const Bounds& bounds) {
   // A sphere that owns few points is held by little: no step of one iteration may carry it away.
   constexpr double kLongestStep = 0.1;
   std::vector<Sphere> moved = spheres;
@@ -108,7 +134,8 @@ std::vector<Sphere> stepped(const std::vector<Sphere>& spheres, const VectorXd& 
     const double length = step.segment<4>(at).norm();
     const double share = length > kLongestStep ? kLongestStep / length : 1.0;
     moved[k].centre += share * step.segment<3>(at);
-    moved[k].radius = std::max(moved[k].radius + share * step[at + 3], min_radius);
+    moved[k].radius += share * step[at + 3];
+    moved[k] = bounds.applied(moved[k]);
   }
   return moved;
 }
@@ -134,13 +161,13 @@ SurfaceGaps surface_gaps(const std::vector<Sphere>& spheres, const std::vector<V
 
 double fit_spheres(std::vector<Sphere>& spheres, const FitTarget& target, const FitOptions& options) {
   constexpr double kLargestDamping = 1e8;
-  const double min_radius = std::max(target.min_radius, kLeastRadius);
-  for (Sphere& sphere : spheres) sphere.radius = std::max(sphere.radius, min_radius);
+  const Bounds bounds(target);
+  for (Sphere& sphere : spheres) sphere = bounds.applied(sphere);
   double value = objective(spheres, target, options);
   double damping = 1e-3;
   for (int iteration = 0; iteration < options.iterations; ++iteration) {
     NormalEquations normal = normal_equations(spheres, target, options);
-    hold_at_bound(normal, spheres, min_radius);
+    hold_at_bound(normal, spheres, bounds);
     // The damping is relative to the samples that a sphere owns, with a floor for a sphere that owns none; a
     // little of it always acts, for what the samples leave free.
     const double floor = 1e-3 / static_cast<double>(spheres.size());
@@ -149,7 +176,7 @@ double fit_spheres(std::vector<Sphere>& spheres, const FitTarget& target, const 
     const double before = value;
     while (damping < kLargestDamping) {
       const VectorXd step = damped_step(normal, scale, damping, options.mass_weight > 0.0);
-      std::vector<Sphere> next = stepped(spheres, step, min_radius);
+      std::vector<Sphere> next = stepped(spheres, step, bounds);
       const double next_value = objective(next, target, options);
       if (next_value < value) {
         spheres = std::move(next);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Geometry>
+#include <limits>
 #include <vector>
 
 #include "engine/shape/clump.hpp"
@@ -18,6 +20,10 @@ struct FitTarget {
   double volume = 0.0;          ///< V of the body: π/6 in these units
   Vec3 moments = Vec3::Zero();  ///< principal moments of inertia, density 1
   double min_radius = 0.0;      ///< no sphere gets smaller, nor than kLeastRadius
+  /// No sphere gets larger. The surface alone does not see to that: a huge sphere whose own surface runs
+  /// through a thin body is near all of the body's points.
+  double max_radius = std::numeric_limits<double>::infinity();
+  Eigen::AlignedBox3d room = {};  ///< no centre leaves it; an empty box bounds nothing
 };
 
 struct FitOptions {

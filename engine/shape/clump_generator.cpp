@@ -10,6 +10,7 @@
 #include "engine/base/input_error.hpp"
 #include "engine/base/random.hpp"
 #include "engine/shape/clump_fit.hpp"
+#include "engine/shape/clump_mass.hpp"
 #include "engine/shape/medial_balls.hpp"
 
 namespace repose {
@@ -24,6 +25,11 @@ constexpr std::size_t kSamples = 1600;  ///< points of the surface, at least
 constexpr std::size_t kSamplesPerSphere = 40;
 constexpr std::size_t kMostBalls = 4000;  ///< their search costs the square of their number
 constexpr int kFailedExchanges = 12;      ///< exchanges in a row without gain that end a start
+constexpr int kMostExchanges = 400;       ///< of one start, kept or not, at least
+constexpr int kMostExchangesPerSphere = 20;
+/// A sphere may be this much larger than the largest ball inside the body, or than one of N equal balls of
+/// the body's volume, whichever is larger.
+constexpr double kRoomForRadius = 1.5;
 constexpr double kMassWeight = 30.0;
 constexpr double kNoSphere = 1.0;  ///< gap where there is no sphere: the body's own size
 
@@ -43,9 +49,14 @@ class Generator {
     target_.moments = measure(unit).inertia().diagonal();
     target_.min_radius = options.min_radius / diameter;
     balls_ = medial_balls(sample_surface(unit, std::min(kMostBalls, samples.points.size())), kBallTolerance);
+    for (const Vec3& vertex : unit.vertices) target_.room.extend(vertex);
+    for (const Sphere& ball : balls_) largest_ball_ = std::max(largest_ball_, ball.radius);
+    // Samples that lie farther apart than a sheet is thick miss that a ball comes out on the other side.
+    largest_ball_ = std::min({largest_ball_, 0.5, 0.5 * target_.room.sizes().minCoeff()});
   }
 
   GeneratedClump make(int count) {
+    target_.max_radius = kRoomForRadius * std::max(largest_ball_, 0.5 / std::cbrt(count));
     std::vector<Sphere> best;
     double best_value = std::numeric_limits<double>::infinity();
     for (int start = 0; start < std::max(1, options_.starts); ++start) {
@@ -127,7 +138,10 @@ class Generator {
     const FitOptions surface_only = {.iterations = 25};
     double value = fit_spheres(spheres, target_, surface_only);
     std::vector<std::size_t> order = least_useful(spheres);
-    for (std::size_t failed = 0; failed < std::min<std::size_t>(kFailedExchanges, spheres.size());) {
+    const std::size_t most_failures = std::min<std::size_t>(kFailedExchanges, spheres.size());
+    const int most = std::max(kMostExchanges, kMostExchangesPerSphere * static_cast<int>(spheres.size()));
+    std::size_t failed = 0;
+    for (int tried = 0; tried < most && failed < most_failures; ++tried) {
       std::vector<Sphere> trial = spheres;
       trial.erase(trial.begin() + static_cast<std::ptrdiff_t>(order[failed]));
       trial.push_back(best_ball(surface_gaps(trial, target_.points).gap));
@@ -154,8 +168,11 @@ class Generator {
     GeneratedClump made;
     made.errors = clump_errors(spheres, body_);
     const std::vector<double> exposed = unite(spheres, 400).exposed;
-    for (std::size_t k = 0; k < spheres.size(); ++k)
-      (exposed[k] > 0.0 ? made.clump.spheres : made.inner).push_back(spheres[k]);
+    for (std::size_t k = 0; k < spheres.size(); ++k) {
+      std::vector<Sphere>& carried = made.clump.spheres;
+      const bool again = std::find(carried.begin(), carried.end(), spheres[k]) != carried.end();
+      (exposed[k] > 0.0 && !again ? carried : made.inner).push_back(spheres[k]);
+    }
     made.clump.name = body_.name;
     made.clump.volume = measures_.volume;
     made.clump.inertia = principal_frame(measures_.inertia()).moments;
@@ -167,6 +184,7 @@ class Generator {
   MeshMeasures measures_;
   FitTarget target_;
   std::vector<Sphere> balls_;
+  double largest_ball_ = 0.0;  ///< radius of the largest ball inside the body
   std::vector<Sphere> offered_;
 };
 
@@ -208,10 +226,16 @@ void check(const ClumpOptions& options, double diameter) {
 GeneratedClump generate_clump(const Mesh& mesh, const ClumpOptions& options) {
   check(options, measure(mesh).equivalent_diameter());
   Generator generator(mesh, options);
-  if (options.spheres) return generator.make(*options.spheres);
+  if (options.spheres) {
+    GeneratedClump made = generator.make(*options.spheres);
+    if (!mass_faults(made.clump).empty())
+      throw InputError({mesh.name, "spheres", fmt::format("{}", *options.spheres),
+                        "is too few for a body as thin as this: so few cannot have its mass and moments"});
+    return made;
+  }
   for (int count = 1;; ++count) {
     GeneratedClump made = generator.make(count);
-    made.met = meets(made.errors, options);
+    made.met = meets(made.errors, options) && mass_faults(made.clump).empty();
     if (made.met || count >= options.max_spheres) return made;
   }
 }

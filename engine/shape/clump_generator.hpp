@@ -48,9 +48,12 @@ struct GeneratedClump {
 /// Detection: maximal balls inside the mesh (medial_balls()), chosen greedily by what they explain of the
 /// surface. Refinement: fit_spheres() on the surface, exchanges of the sphere that explains least for the
 /// ball that explains most, at last all centres and radii on surface, volume, centre and inertia together.
+/// No centre leaves the box around the body, no radius is more than 1.5 times that of the largest ball inside
+/// or of one of N equal balls of its volume, whichever is larger: so a clump of few spheres for a thin body
+/// is thick, and says so in its errors. The number of exchanges is bounded, and with it the time.
 /// Deterministic: the same mesh, options and seed give the same bits.
 /// Throws InputError: no spheres and no bound given, a number out of range, a min_radius larger than the
-/// body.
+/// body, so few spheres that they cannot have the mass properties of a thin body (mass_faults()).
 GeneratedClump generate_clump(const Mesh& mesh, const ClumpOptions& options);
 
 /// Errors of any clump in the frame of `body`, a mesh in its principal frame.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace repose {
 
@@ -24,6 +25,28 @@ bool passes_through(const Vec3& from, const Vec3& to, const Triangle& t, double 
   const double w = orientation(from, to, t[2], t[0]);
   return (u > tolerance && v > tolerance && w > tolerance) ||
          (u < -tolerance && v < -tolerance && w < -tolerance);
+}
+
+/// Whether two segments meet at a point inside both of them; parallel ones do not.
+bool segments_meet(const std::array<Vec3, 2>& first, const std::array<Vec3, 2>& second, double size) {
+  constexpr double kRounding = 1e-11;
+  const Vec3 u = first[1] - first[0];
+  const Vec3 v = second[1] - second[0];
+  const Vec3 between = second[0] - first[0];
+  const Vec3 normal = u.cross(v);
+  const double square = normal.squaredNorm();
+  if (square <= 1e-18 * u.squaredNorm() * v.squaredNorm()) return false;
+  if (std::abs(between.dot(normal)) > kRounding * size * std::sqrt(square)) return false;
+  const auto inside = [](double share) { return share > kRounding && share < 1.0 - kRounding; };
+  return inside(between.cross(v).dot(normal) / square) && inside(between.cross(u).dot(normal) / square);
+}
+
+/// The edge of a facet opposite the one corner that it shares with another.
+std::array<Vec3, 2> opposite_edge(const Facet& facet, const Facet& other, const Mesh& mesh) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (std::find(other.begin(), other.end(), facet[k]) != other.end())
+      return {mesh.vertices[facet[(k + 1) % 3]], mesh.vertices[facet[(k + 2) % 3]]};
+  return {};
 }
 
 /// Whether the third corners of two facets with a common edge lie on the same side of it in the same plane.
@@ -67,6 +90,11 @@ bool facets_cross(const Mesh& mesh, std::size_t f, std::size_t g) {
   const Triangle b = triangle(second);
   double size = 0.0;
   for (std::size_t k = 0; k < 3; ++k) size = std::max({size, (a[k] - a[0]).norm(), (b[k] - a[0]).norm()});
+  // Facets with a common corner whose opposite edges meet have the way from the one to the other in common,
+  // though no edge passes through an inside: so the sides of a star that is turned more than once.
+  if (shared == 1 &&
+      segments_meet(opposite_edge(first, second, mesh), opposite_edge(second, first, mesh), size))
+    return true;
   // Rounding of a determinant of three edges no longer than size.
   const double tolerance = 1e-13 * size * size * size;
   for (std::size_t k = 0; k < 3; ++k) {

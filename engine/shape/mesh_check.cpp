@@ -9,32 +9,24 @@
 
 #include "engine/shape/facet_crossing.hpp"
 #include "engine/shape/facet_tree.hpp"
+#include "engine/shape/fault_kind.hpp"
 
 namespace repose {
 
 namespace {
 
-/// Faults of one kind: the first ones by name, then their number.
+/// Facets that break one rule.
 class Kind {
  public:
-  Kind(Faults& faults, std::string file, std::string rule)
-      : faults_(faults), file_(std::move(file)), rule_(std::move(rule)) {}
-  void add(std::size_t facet, const std::string& detail = "") {
-    if (++count_ <= kNamedFaults) faults_.add(file_, fmt::format("facet {}", facet + 1), detail, rule_);
-  }
-  ~Kind() {
-    if (count_ > kNamedFaults)
-      faults_.add(file_, fmt::format("{} more facets", count_ - kNamedFaults), "", rule_);
-  }
-  Kind(const Kind&) = delete;
-  Kind& operator=(const Kind&) = delete;
-  [[nodiscard]] std::size_t count() const { return count_; }
+  Kind(Faults& faults, const std::string& file, const FacetName& name_of, std::string rule)
+      : faults_(faults, file, "facets"), name_of_(name_of), rule_(std::move(rule)) {}
+  void add(std::size_t facet, const std::string& detail = "") { faults_.add(name_of_(facet), detail, rule_); }
+  [[nodiscard]] std::size_t count() const { return faults_.count(); }
 
  private:
-  Faults& faults_;
-  std::string file_;
+  FaultKind faults_;
+  const FacetName& name_of_;
   std::string rule_;
-  std::size_t count_ = 0;
 };
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
@@ -64,9 +56,9 @@ bool has_no_area(const Mesh& mesh, const Facet& facet) {
   return (b - a).cross(c - a).norm() <= 1e-9 * longest * longest;
 }
 
-void check_edges(const Edges& edges, const std::string& file, Faults& faults) {
-  Kind open(faults, file, "has an edge without a neighbour: the surface is open");
-  Kind shared(faults, file, "has an edge that more than two facets share");
+void check_edges(const Edges& edges, const std::string& file, const FacetName& name_of, Faults& faults) {
+  Kind open(faults, file, name_of, "has an edge without a neighbour: the surface is open");
+  Kind shared(faults, file, name_of, "has an edge that more than two facets share");
   for (const auto& [edge, sides] : edges) {
     if (sides.size() == 1) open.add(sides.front().facet);
     if (sides.size() > 2) shared.add(sides.front().facet, fmt::format("{} facets", sides.size()));
@@ -121,14 +113,15 @@ Surfaces walk(const Mesh& mesh, const Edges& edges) {
 }
 
 /// The smaller party of every surface is the one that is turned. Returns whether all facets agree.
-bool check_orientation(const Surfaces& surfaces, const std::string& file, Faults& faults) {
+bool check_orientation(const Surfaces& surfaces, const std::string& file, const FacetName& name_of,
+                       Faults& faults) {
   if (surfaces.one_sided) {
     faults.add(file, "", "", "has no inside: its facets cannot be oriented alike");
     return false;
   }
   std::vector<std::array<std::size_t, 2>> parties(surfaces.first.size());
   for (std::size_t f = 0; f < surfaces.number.size(); ++f) ++parties[surfaces.number[f]][surfaces.turned[f]];
-  Kind kind(faults, file, "is turned against its neighbours");
+  Kind kind(faults, file, name_of, "is turned against its neighbours");
   for (std::size_t f = 0; f < surfaces.number.size(); ++f) {
     const auto& [straight, turned] = parties[surfaces.number[f]];
     if (surfaces.turned[f] == (turned <= straight) && std::min(straight, turned) > 0) kind.add(f);
@@ -148,30 +141,34 @@ void check_volume(const Mesh& mesh, bool closed_and_oriented, const std::string&
 
 }  // namespace
 
-Faults check_mesh(const Mesh& mesh, const std::string& file) {
+std::string facet_number(std::size_t facet) { return fmt::format("facet {}", facet + 1); }
+
+Faults check_mesh(const Mesh& mesh, const std::string& file, const FacetName& name_of) {
   Faults faults;
   if (mesh.facets.empty()) {
     faults.add(file, "", "", "holds no facets");
     return faults;
   }
   {
-    Kind flat(faults, file, "has no area");
+    Kind flat(faults, file, name_of, "has no area");
     for (std::size_t f = 0; f < mesh.facets.size(); ++f)
       if (has_no_area(mesh, mesh.facets[f])) flat.add(f);
   }
   const Edges edges = edges_of(mesh);
-  check_edges(edges, file, faults);
+  check_edges(edges, file, name_of, faults);
   const bool closed = faults.empty();
   const Surfaces surfaces = walk(mesh, edges);
-  const bool oriented = check_orientation(surfaces, file, faults);
+  const bool oriented = check_orientation(surfaces, file, name_of, faults);
   for (std::size_t i = 1; closed && i < std::min(surfaces.first.size(), kNamedFaults); ++i)
-    faults.add(file, fmt::format("facet {}", surfaces.first[i] + 1), "",
+    faults.add(file, name_of(surfaces.first[i]), "",
                "begins a second surface apart from the first: a particle is one body without cavities");
   check_volume(mesh, closed && oriented, file, faults);
   {
-    Kind crossing(faults, file, "crosses another facet");
+    Kind crossing(faults, file, name_of, "crosses another facet");
     FacetTree(mesh).for_each_close_pair([&](std::size_t f, std::size_t g) {
-      if (facets_cross(mesh, f, g)) crossing.add(f, fmt::format("with facet {}", g + 1));
+      if (!facets_cross(mesh, f, g)) return;
+      const std::string other = name_of(g);
+      crossing.add(f, other == name_of(f) ? "with itself, cut into triangles" : "with " + other);
     });
   }
   return faults;

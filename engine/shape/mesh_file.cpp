@@ -11,6 +11,7 @@
 #include <map>
 
 #include "engine/shape/clump_export.hpp"
+#include "engine/shape/length_unit.hpp"
 #include "engine/shape/mesh_check.hpp"
 #include "engine/shape/mesh_formats.hpp"
 
@@ -29,16 +30,16 @@ std::string content_of(const std::filesystem::path& file) {
 }
 
 void check_numbers(const RawMesh& raw, const std::string& file, Faults& faults) {
-  std::size_t found = 0;
+  FaultKind kind(faults, file, "facets");
+  std::uint32_t named = 0;
   for (std::size_t f = 0; f < raw.facets.size(); ++f) {
+    if (raw.places[f].number == named) continue;  // a face of several triangles is named once
     const bool finite = std::all_of(raw.facets[f].begin(), raw.facets[f].end(),
                                     [&](std::uint32_t corner) { return raw.vertices[corner].allFinite(); });
-    if (!finite && ++found <= kNamedFaults)
-      faults.add(file, fmt::format("facet {}", f + 1), "", "has a coordinate that is not a finite number");
+    if (finite) continue;
+    kind.add(raw.places[f].text(), "", "has a coordinate that is not a finite number");
+    named = raw.places[f].number;
   }
-  if (found > kNamedFaults)
-    faults.add(file, fmt::format("{} more facets", found - kNamedFaults), "",
-               "have coordinates that are not finite");
 }
 
 double longest_side(const std::vector<Vec3>& vertices) {
@@ -86,30 +87,9 @@ Mesh welded(const RawMesh& raw) {
   return mesh;
 }
 
-/// The unit that a header names, as in "units=mm".
-std::optional<double> named_unit(const std::string& header) {
-  const std::string text = lower(header);
-  for (const std::string key : {"units=", "unit=", "units:", "unit:"}) {
-    const auto at = text.find(key);
-    if (at == std::string::npos) continue;
-    const auto start = text.find_first_not_of(' ', at + key.size());
-    if (start == std::string::npos) continue;
-    const auto end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz", start);
-    return length_unit(text.substr(start, end - start));
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
-std::optional<double> length_unit(const std::string& name) {
-  static const std::map<std::string, double> units = {
-      {"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}, {"in", 0.0254}};
-  const auto found = units.find(name);
-  return found == units.end() ? std::nullopt : std::optional(found->second);
-}
-
-Mesh read_mesh(const std::filesystem::path& path, std::optional<double> metres_per_unit) {
+MeshFromFile read_mesh_file(const std::filesystem::path& path, std::optional<double> metres_per_unit) {
   const std::string file = path.string();
   const std::string bytes = content_of(path);
   const std::string extension = lower(path.extension().string());
@@ -118,21 +98,31 @@ Mesh read_mesh(const std::filesystem::path& path, std::optional<double> metres_p
                       : extension == ".ply" ? parse_ply(bytes, file, faults)
                                             : parse_stl(bytes, file, faults);
   check_numbers(raw, file, faults);
+  // A unit that is given makes what the file says of it irrelevant, mistakes as well.
+  const auto named = metres_per_unit ? std::nullopt : named_unit(raw.header, file, faults);
   faults.throw_if_any();
   if (raw.facets.empty()) throw InputError({file, "", "", "holds no facets"});
 
-  Mesh mesh = welded(raw);
-  mesh.name = path.stem().string();
-  faults = check_mesh(mesh, file);
-  const double side = longest_side(mesh.vertices);
-  const double unit =
-      metres_per_unit ? *metres_per_unit : named_unit(raw.header).value_or(side > kLargest ? 1e-3 : 1.0);
+  MeshFromFile read{.mesh = welded(raw)};
+  read.mesh.name = path.stem().string();
+  faults = check_mesh(read.mesh, file, [&](std::size_t facet) { return raw.places[facet].text(); });
+  const double side = longest_side(read.mesh.vertices);
+  read.unit_source = metres_per_unit ? UnitSource::given : named ? UnitSource::file : UnitSource::size;
+  read.metres_per_unit = metres_per_unit   ? *metres_per_unit
+                         : named           ? named->metres
+                         : side > kLargest ? 1e-3
+                                           : 1.0;
+  const double unit = read.metres_per_unit;
   if (side * unit < kSmallest || side * unit > kLargest)
     faults.add(file, "", fmt::format("{:g} m", side * unit),
                "no particle has this size (1e-6 m to 5 m); is the unit of the file right?");
   faults.throw_if_any();
-  for (Vec3& vertex : mesh.vertices) vertex *= unit;
-  return mesh;
+  for (Vec3& vertex : read.mesh.vertices) vertex *= unit;
+  return read;
+}
+
+Mesh read_mesh(const std::filesystem::path& file, std::optional<double> metres_per_unit) {
+  return read_mesh_file(file, metres_per_unit).mesh;
 }
 
 void write_stl(const std::filesystem::path& file, const Mesh& mesh) {

@@ -76,6 +76,9 @@ class TableReader {
                                  positive(row, *extents_[2]).value);
     particle.printed_equivalent_area_mm2 = optional_cell(row, "equivalent_sphere_area_mm2");
     particle.printed_sphericity = optional_cell(row, "sphericity");
+    if (particle.printed_sphericity && particle.printed_sphericity->value > 1.0)
+      faults_.add(csv_.file, where(row), fmt::format("sphericity {:g}", particle.printed_sphericity->value),
+                  "no body has a sphericity above 1: is the column in per cent?");
     particle.equivalent_area_mm2 = equivalent_area(particle.volume_mm3.value, kPi);
     particle.sphericity = particle.equivalent_area_mm2 / particle.area_mm2;
     if (particle.sphericity > 1.0)
@@ -125,6 +128,25 @@ void average_sphericity(ScanTable& table) {
     if (printed) table.mean_sphericity += particle.printed_sphericity->value / count;
 }
 
+/// Number of the class of this width that a volume belongs to; one on a boundary, to within rounding, to the
+/// class that it begins.
+double class_of(double volume, double width) {
+  const double classes = volume / width;
+  const double nearest = std::round(classes);
+  return std::abs(classes - nearest) <= 1e-9 * std::max(nearest, 1.0) ? nearest : std::floor(classes);
+}
+
+/// 1, 2 or 5 × 10^k, the least with which the volumes fill at most six classes. Volumes that are all about
+/// equal tell nothing of a width: then at least a tenth of them.
+double nice_width(double low, double high) {
+  const double least = high - low > 1e-6 * high ? 0.0 : 0.1 * high;
+  for (int step = -36;; ++step) {
+    const double nice = std::array{1.0, 2.0, 5.0}[static_cast<std::size_t>((step + 36) % 3)] *
+                        std::pow(10.0, std::floor(step / 3.0));
+    if (nice >= least && class_of(high, nice) - class_of(low, nice) < 6.0) return nice;
+  }
+}
+
 void sort_into_classes(ScanTable& table, const ScanTableOptions& options) {
   double low = table.particles.front().volume_mm3.value;
   double high = low;
@@ -132,22 +154,21 @@ void sort_into_classes(ScanTable& table, const ScanTableOptions& options) {
     low = std::min(low, particle.volume_mm3.value);
     high = std::max(high, particle.volume_mm3.value);
   }
-  const auto classes = [&](double width) { return std::floor(high / width) - std::floor(low / width) + 1.0; };
-  double width = options.class_width_mm3.value_or(0.0);
-  for (int step = -36; width <= 0.0; ++step) {
-    const double nice = std::array{1.0, 2.0, 5.0}[static_cast<std::size_t>((step + 36) % 3)] *
-                        std::pow(10.0, std::floor(step / 3.0));
-    if (classes(nice) <= 6.0) width = nice;
-  }
-  const double first = std::floor(low / width);
-  table.size_classes.resize(static_cast<std::size_t>(classes(width)));
+  const double width = options.class_width_mm3 ? *options.class_width_mm3 : nice_width(low, high);
+  const double first = class_of(low, width);
+  const double classes = class_of(high, width) - first + 1.0;
+  if (classes > kMostSizeClasses)
+    throw InputError({table.file, "", fmt::format("class width {:g} mm3", width),
+                      fmt::format("makes {:.0f} size classes of the volumes {:g} to {:g} mm3, at most {} are "
+                                  "made: take a larger width",
+                                  classes, low, high, kMostSizeClasses)});
+  table.size_classes.resize(static_cast<std::size_t>(classes));
   for (std::size_t i = 0; i < table.size_classes.size(); ++i) {
     table.size_classes[i].volume_min_mm3 = (first + static_cast<double>(i)) * width;
     table.size_classes[i].volume_max_mm3 = (first + static_cast<double>(i) + 1.0) * width;
   }
   for (const ScannedParticle& particle : table.particles)
-    ++table.size_classes[static_cast<std::size_t>(std::floor(particle.volume_mm3.value / width) - first)]
-          .count;
+    ++table.size_classes[static_cast<std::size_t>(class_of(particle.volume_mm3.value, width) - first)].count;
   for (SizeHistogramClass& size : table.size_classes)
     size.percent = 100.0 * static_cast<double>(size.count) / static_cast<double>(table.particles.size());
 }

@@ -64,6 +64,8 @@ struct ScanTable {
   std::vector<InconsistentValue> inconsistent;
 };
 
+inline constexpr int kMostSizeClasses = 1000;
+
 struct ScanTableOptions {
   std::optional<double> class_width_mm3 = {};  ///< otherwise 1, 2 or 5 × 10^k with at most six classes
 };
@@ -71,8 +73,8 @@ struct ScanTableOptions {
 /// Reads a table with the columns surface_area_mm2 and volume_mm3, and optionally no, x_mm, y_mm, z_mm,
 /// equivalent_sphere_area_mm2, sphericity; others are ignored.
 /// Throws InputError with every fault and its line: a column missing, a cell that is no number > 0, a
-/// sphericity above 1 (no body has that), fewer than three particles, all areas equal, a particle named
-/// twice.
+/// sphericity above 1, computed or printed (no body has that), fewer than three particles, all areas equal, a
+/// particle named twice, a class width that makes more than kMostSizeClasses classes.
 ScanTable read_scan_table(const std::filesystem::path& file, const ScanTableOptions& options = {});
 
 /// The five figures of a particle in SI. Requires extents_mm.

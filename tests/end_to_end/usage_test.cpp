@@ -7,8 +7,9 @@
 namespace repose::test {
 namespace {
 
-const std::vector<std::string> kVerbs = {"calibrate", "simulate", "sweep",  "chart",  "status",   "export",
-                                         "merge",     "fit",      "invert", "report", "stability"};
+const std::vector<std::string> kVerbs = {"calibrate", "simulate", "sweep", "chart",  "status",
+                                         "export",    "merge",    "fit",   "invert", "report",
+                                         "stability", "shape",    "clump"};
 
 TEST(Usage, HelpNamesEveryVerb) {
   const Finished help = repose({"--help"});

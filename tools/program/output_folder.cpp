@@ -44,7 +44,7 @@ void check_output_file(Faults& faults, const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   if (!fs::is_directory(folder))
     faults.add(file.string(), "", "", "cannot be written: there is no folder " + folder.string());
-  else if (access(folder.c_str(), W_OK | X_OK) != 0)
+  else if (access(folder.c_str(), W_OK | X_OK) != 0 || (fs::exists(file) && access(file.c_str(), W_OK) != 0))
     faults.add(file.string(), "", "", std::string("cannot be written: ") + std::strerror(errno));
 }
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "engine/scene/json_file.hpp"
+#include "engine/base/json_file.hpp"
 #include "fit/fit_json.hpp"
 #include "sweep/ladder.hpp"
 #include "sweep/study.hpp"

@@ -7,22 +7,27 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/base/input_error.hpp"
+#include "tools/plot/gnuplot.hpp"
 #include "tools/program/body_image.hpp"
 
 namespace repose::program {
 
 namespace {
 
-/// A gnuplot that reads a script from here and writes one picture.
+/// A gnuplot that reads a script from here and writes one picture: beside its place, then renamed, so that a
+/// picture is there whole or not at all.
 class Gnuplot {
  public:
-  Gnuplot(const std::filesystem::path& picture, int width, int height) : picture_(picture) {
+  Gnuplot(const std::filesystem::path& picture, int width, int height)
+      : picture_(picture), part_(picture.string() + ".part") {
     std::error_code ignored;
     if (picture.has_parent_path()) std::filesystem::create_directories(picture.parent_path(), ignored);
-    pipe_ = popen("gnuplot", "w");
+    // Where the picture cannot be opened gnuplot goes on and writes to standard output.
+    pipe_ = popen("gnuplot >/dev/null", "w");
     if (pipe_ == nullptr) throw std::runtime_error("gnuplot cannot be started");
     send(fmt::format("set terminal pngcairo size {},{} font 'sans,11'\nset output '{}'\n", width, height,
-                     quoted(picture.string())));
+                     gnuplot_quoted(part_.string())));
   }
   ~Gnuplot() {
     if (pipe_ != nullptr) pclose(pipe_);
@@ -32,19 +37,19 @@ class Gnuplot {
 
   void send(const std::string& text) { std::fwrite(text.data(), 1, text.size(), pipe_); }
   void send(const std::vector<std::uint8_t>& bytes) { std::fwrite(bytes.data(), 1, bytes.size(), pipe_); }
-  /// Waits for the picture.
+  /// Waits for the picture. Throws InputError where it cannot be written.
   void finish() {
     const int status = pclose(std::exchange(pipe_, nullptr));
-    if (status != 0) throw std::runtime_error(fmt::format("gnuplot did not draw {}", picture_.string()));
+    std::error_code error;
+    if (status != 0 && std::filesystem::remove(part_, error))
+      throw std::runtime_error(fmt::format("gnuplot did not draw {}", picture_.string()));
+    std::filesystem::rename(part_, picture_, error);
+    if (error) throw InputError({picture_.string(), "", "", "cannot be written: " + error.message()});
   }
 
  private:
-  static std::string quoted(const std::string& text) {
-    std::string result;
-    for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
-    return result;
-  }
   std::filesystem::path picture_;
+  std::filesystem::path part_;
   std::FILE* pipe_ = nullptr;
 };
 

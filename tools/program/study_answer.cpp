@@ -5,7 +5,7 @@
 
 #include <ctime>
 
-#include "engine/scene/json_file.hpp"
+#include "engine/base/json_file.hpp"
 #include "engine/scene/scene_reader.hpp"
 #include "fit/fit_json.hpp"
 #include "tools/program/output_folder.hpp"

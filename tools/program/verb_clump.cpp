@@ -3,12 +3,15 @@
 #include <cmath>
 #include <ctime>
 #include <filesystem>
+#include <map>
 #include <optional>
 
 #include "engine/base/csv.hpp"
 #include "engine/shape/clump_export.hpp"
 #include "engine/shape/clump_generator.hpp"
+#include "engine/shape/length_unit.hpp"
 #include "engine/shape/mesh_file.hpp"
+#include "tools/program/clump_words.hpp"
 #include "tools/program/output_folder.hpp"
 #include "tools/program/shape_pictures.hpp"
 #include "tools/program/shape_verbs.hpp"
@@ -28,7 +31,7 @@ struct ClumpVerbOptions {
   int max_spheres = 200;
   double density = 1.0;
   std::string unit = "auto";
-  std::uint64_t seed = 1;
+  std::int64_t seed = 1;
   std::string out, vtk, liggghts, yade, mercury, picture, study;
 };
 
@@ -52,7 +55,8 @@ ClumpOptions generator_options(const ClumpVerbOptions& options, Faults& faults) 
   result.eit_error = error_bound("--eit-error", options.eit_error, faults);
   result.surface_error = error_bound("--surface-error", options.surface_error, faults);
   result.min_radius = 1e-3 * options.min_radius_mm;
-  result.seed = options.seed;
+  check_range(faults, "--seed", static_cast<double>(options.seed), 0, 9.3e18, "must be 0 or more");
+  result.seed = static_cast<std::uint64_t>(options.seed);
   result.max_spheres = options.max_spheres;
   const bool bounded = result.volume_error || result.eit_error || result.surface_error;
   if (bounded != options.spheres.empty())
@@ -67,57 +71,62 @@ ClumpOptions generator_options(const ClumpVerbOptions& options, Faults& faults) 
   return result;
 }
 
-std::optional<double> metres_per_unit(const std::string& unit) {
-  return unit == "auto" ? std::nullopt : length_unit(unit);
+/// A mesh of the command line, read.
+struct Source {
+  std::string file;
+  MeshFromFile read;
+};
+
+std::vector<Source> read_meshes(const ClumpVerbOptions& options, Faults& faults) {
+  const auto unit = length_unit(options.unit);
+  std::vector<Source> sources;
+  for (const std::string& file : options.meshes) {
+    try {
+      sources.push_back({file, read_mesh_file(file, unit ? std::optional(unit->metres) : std::nullopt)});
+    } catch (const InputError& error) {
+      faults.add(error);
+      continue;
+    }
+    const double half = 0.5e3 * measure(sources.back().read.mesh).equivalent_diameter();
+    if (options.min_radius_mm >= half)
+      faults.add("--min-radius", "", fmt::format("{:g} mm", options.min_radius_mm),
+                 fmt::format("must be below half the equivalent diameter of {}, {:g} mm", file, half));
+  }
+  return sources;
 }
 
-Json errors_json(const GeneratedClump& made) {
-  const ClumpErrors& errors = made.errors;
-  return {{"volume_error", errors.volume_error},
-          {"eit_error", errors.eit_error},
-          {"computation_error", errors.computation_error},
-          {"centre_offset", errors.centre_offset},
-          {"mean_surface_distance", errors.mean_distance},
-          {"max_surface_distance", errors.max_distance},
-          {"sphericity", errors.sphericity}};
+/// Meshes of one name, whose clumps would be written over one another.
+void check_names(const std::vector<std::string>& files, Faults& faults) {
+  std::map<std::string, std::string> owners;
+  for (const std::string& file : files) {
+    const auto [owner, is_new] = owners.emplace(std::filesystem::path(file).stem().string(), file);
+    if (!is_new)
+      faults.add(
+          file, "", "",
+          fmt::format("has the name of {}, so that the clumps of one would be written over those of the "
+                      "other",
+                      owner->second));
+  }
 }
 
-Json clump_json(const GeneratedClump& made, double density, const Mesh& mesh) {
-  Json json;
-  json["spheres"] = Json::array();
-  const auto add = [&](const Sphere& sphere, bool inner) {
-    Json item = {
-        {"x", sphere.centre.x()}, {"y", sphere.centre.y()}, {"z", sphere.centre.z()}, {"r", sphere.radius}};
-    if (inner) item["inner"] = true;
-    json["spheres"].push_back(item);
-  };
-  for (const Sphere& sphere : made.clump.spheres) add(sphere, false);
-  for (const Sphere& sphere : made.inner) add(sphere, true);
-  json.update(errors_json(made));
-  const Vec3 moments = density * made.clump.inertia;
-  const Vec3 extents = measure(mesh).extents;
-  json["density_kg_m3"] = density;
-  json["mass"] = density * made.clump.volume;
-  json["inertia"] = {moments.x(), moments.y(), moments.z()};
-  json["smallest_radius_m"] = made.clump.smallest_radius();
-  json["equivalent_diameter_m"] = made.clump.equivalent_diameter();
-  json["mesh_extents_m"] = {extents.x(), extents.y(), extents.z()};
-  return json;
-}
-
-std::string clump_in_words(const GeneratedClump& made, const Mesh& mesh) {
-  const ClumpErrors& errors = made.errors;
-  const MeshMeasures body = measure(mesh);
-  const Vec3 extents = 1e3 * body.extents;
-  return fmt::format(
-      "mesh    {}: {:.4g} x {:.4g} x {:.4g} mm, volume {:.5g} mm3, sphericity {:.3f}\n"
-      "clump   {} spheres ({} that nothing can touch), smallest radius {:.4g} mm, sphericity {:.3f}\n"
-      "errors  volume {:.4f} %, EIT {:.4f} % (integration within {:.1e} %)\n"
-      "surface {:.2f} % of the equivalent diameter away on the average, {:.1f} % at most\n",
-      mesh.name, extents.x(), extents.y(), extents.z(), 1e9 * body.volume, body.sphericity(),
-      made.clump.spheres.size() + made.inner.size(), made.inner.size(), 1e3 * made.clump.smallest_radius(),
-      errors.sphericity, 100 * errors.volume_error, 100 * errors.eit_error, 100 * errors.computation_error,
-      100 * errors.mean_distance, 100 * errors.max_distance);
+/// Files and folders that are to be written.
+void check_outputs(const ClumpVerbOptions& options, Faults& faults) {
+  const std::vector<std::pair<const char*, std::string>> single = {{"--out", options.out},
+                                                                   {"--vtk", options.vtk},
+                                                                   {"--liggghts", options.liggghts},
+                                                                   {"--yade", options.yade},
+                                                                   {"--mercury", options.mercury}};
+  if (!options.study.empty()) {
+    check_folder(faults, options.study);
+    for (const auto& [option, file] : single)
+      if (!file.empty())
+        faults.add(option, "", file, "goes with a single clump only: --study writes clumps into its folder");
+    check_names(options.meshes, faults);
+    return;
+  }
+  for (const std::string& file : {options.out, options.vtk, options.liggghts, options.yade, options.picture})
+    if (!file.empty()) check_output_file(faults, file);
+  if (!options.mercury.empty()) check_folder(faults, options.mercury);
 }
 
 void write_clump_to(const std::filesystem::path& file, const GeneratedClump& made,
@@ -128,6 +137,15 @@ void write_clump_to(const std::filesystem::path& file, const GeneratedClump& mad
                .made_by = fmt::format("repose clump, seed {}", options.seed),
                .volume_error = made.errors.volume_error,
                .eit_error = made.errors.eit_error});
+}
+
+/// generate_clump(); its faults name the file.
+GeneratedClump clump_of(const Source& source, const ClumpOptions& options) {
+  try {
+    return generate_clump(source.read.mesh, options);
+  } catch (const InputError& error) {
+    throw error.in_file(source.file);
+  }
 }
 
 void require_met(const GeneratedClump& made, const std::string& file, const ClumpOptions& options) {
@@ -141,10 +159,10 @@ void require_met(const GeneratedClump& made, const std::string& file, const Clum
            100 * made.errors.eit_error, 100 * made.errors.mean_distance)});
 }
 
-int one_clump(const ClumpVerbOptions& options, const ClumpOptions& wanted) {
-  const Mesh mesh = read_mesh(options.meshes.front(), metres_per_unit(options.unit));
-  const GeneratedClump made = generate_clump(mesh, wanted);
-  require_met(made, options.meshes.front(), wanted);
+int one_clump(const ClumpVerbOptions& options, const ClumpOptions& wanted, const Source& source) {
+  const Mesh& mesh = source.read.mesh;
+  const GeneratedClump made = clump_of(source, wanted);
+  require_met(made, source.file, wanted);
   if (!options.out.empty()) write_clump_to(options.out, made, options);
   if (!options.vtk.empty()) write_text(options.vtk, vtk_text(made.clump));
   if (!options.liggghts.empty()) write_text(options.liggghts, liggghts_text(made.clump, options.density));
@@ -152,29 +170,37 @@ int one_clump(const ClumpVerbOptions& options, const ClumpOptions& wanted) {
   if (!options.mercury.empty()) write_mercury(options.mercury, made.clump, options.density);
   if (!options.picture.empty()) draw_clumps(options.picture, mesh, {made.clump});
   if (options.common.json)
-    print_json(clump_json(made, options.density, mesh));
+    print_json(clump_json(made, options.density, source.read));
   else
-    fmt::print("{}", clump_in_words(made, mesh));
+    fmt::print("{}", clump_in_words(made, source.read));
   return kDone;
 }
 
 /// Every mesh with every number of spheres: clumps, a table of errors, and per mesh the pictures of both.
-int study(const ClumpVerbOptions& options, const ClumpOptions& wanted) {
+/// Clumps that cannot be made are named in the end, when the others are written.
+int study(const ClumpVerbOptions& options, const ClumpOptions& wanted, const std::vector<Source>& sources) {
   const std::filesystem::path folder = options.study;
   std::string table =
       "mesh,spheres,volume_error_percent,eit_error_percent,mean_distance_percent,max_distance_percent,"
       "sphericity,"
       "mesh_sphericity,smallest_radius_mm,cpu_s\n";
   Json rows = Json::array();
-  for (const std::string& file : options.meshes) {
-    const Mesh mesh = read_mesh(file, metres_per_unit(options.unit));
+  Faults refused;
+  for (const Source& source : sources) {
+    const Mesh& mesh = source.read.mesh;
     std::vector<Clump> clumps;
     std::vector<ErrorPoint> points;
     for (const int count : options.spheres) {
       ClumpOptions own = wanted;
       own.spheres = count;
       const std::clock_t start = std::clock();
-      const GeneratedClump made = generate_clump(mesh, own);
+      GeneratedClump made;
+      try {
+        made = clump_of(source, own);
+      } catch (const InputError& error) {
+        refused.add(error);
+        continue;
+      }
       const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
       write_clump_to(folder / fmt::format("{}_{}.json", mesh.name, count), made, options);
       const std::string row =
@@ -190,12 +216,13 @@ int study(const ClumpVerbOptions& options, const ClumpOptions& wanted) {
       clumps.push_back(made.clump);
       points.push_back({count, made.errors.volume_error, made.errors.eit_error, made.errors.mean_distance});
     }
-    if (!options.picture.empty()) {
+    if (!options.picture.empty() && !clumps.empty()) {
       draw_clumps(folder / (mesh.name + "_clumps.png"), mesh, clumps);
       draw_errors(folder / (mesh.name + "_errors.png"), mesh.name, points);
     }
   }
   write_text(folder / "errors.csv", table);
+  refused.throw_if_any();
   if (options.common.json)
     print_json({{"errors", rows}});
   else
@@ -206,17 +233,17 @@ int study(const ClumpVerbOptions& options, const ClumpOptions& wanted) {
 int clump_verb(const ClumpVerbOptions& options) {
   Faults faults;
   const ClumpOptions wanted = generator_options(options, faults);
-  if (!options.study.empty()) {
-    check_folder(faults, options.study);
-    if (options.spheres.empty()) faults.add("--study", "", "", "needs --spheres, e.g. 5,10,20,30,60");
-  } else if (options.meshes.size() > 1 || options.spheres.size() > 1) {
+  const bool several = options.meshes.size() > 1 || options.spheres.size() > 1;
+  if (!options.study.empty() && options.spheres.empty())
+    faults.add("--study", "", "", "needs --spheres, e.g. 5,10,20,30,60");
+  if (options.study.empty() && several)
     faults.add("--study", "", "",
                "several meshes or numbers of spheres need --study for the folder to write to");
-  }
-  for (const std::string& file : {options.out, options.vtk, options.liggghts, options.yade})
-    if (!file.empty()) check_output_file(faults, file);
+  check_outputs(options, faults);
+  const std::vector<Source> sources = read_meshes(options, faults);
   faults.throw_if_any();
-  return options.study.empty() ? one_clump(options, wanted) : study(options, wanted);
+  return options.study.empty() ? one_clump(options, wanted, sources.front())
+                               : study(options, wanted, sources);
 }
 
 }  // namespace

@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <charconv>
 #include <filesystem>
+#include <map>
 #include <optional>
 
-#include "engine/base/csv.hpp"
 #include "engine/shape/mesh_file.hpp"
 #include "engine/shape/scan_table.hpp"
+#include "tools/program/output_folder.hpp"
 #include "tools/program/shape_pictures.hpp"
 #include "tools/program/shape_verbs.hpp"
 
@@ -22,7 +24,7 @@ struct ShapeOptions {
   std::string plot;
   std::string meshes;
   std::optional<double> class_width;
-  std::uint64_t seed = 1;
+  std::int64_t seed = 1;
 };
 
 /// A mesh that was made for a row.
@@ -32,10 +34,13 @@ struct MadeMesh {
   double worst_error = 0.0;
 };
 
-/// A name of the table as JSON: a number where it is one.
+/// A name of the table as JSON: a number where it is a whole one as it would be printed, so that no two names
+/// become one.
 Json name_json(const std::string& name) {
-  const auto number = parse_number(name);
-  if (number && *number == static_cast<double>(static_cast<long>(*number))) return static_cast<long>(*number);
+  long number = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+  if (error == std::errc{} && end == name.data() + name.size() && fmt::format("{}", number) == name)
+    return number;
   return name;
 }
 
@@ -104,32 +109,81 @@ std::string file_name(const std::string& particle) {
   return name;
 }
 
-std::vector<MadeMesh> make_meshes(const ScanTable& table, const ShapeOptions& options) {
-  std::vector<MadeMesh> made;
+std::filesystem::path mesh_file(const ScannedParticle& particle, const ShapeOptions& options) {
+  return std::filesystem::path(options.meshes) / (file_name(particle.name) + ".stl");
+}
+
+/// What of a table no meshes can be written for: no extents, names that become one file.
+void check_files(const ScanTable& table, const ShapeOptions& options, Faults& faults) {
+  if (!table.particles.front().extents_mm)
+    faults.add(table.file, "", "", "a mesh needs the columns x_mm, y_mm and z_mm");
+  std::map<std::string, const ScannedParticle*> owners;
   for (const ScannedParticle& particle : table.particles) {
-    const std::string where = fmt::format("line {}", particle.line);
-    if (!particle.extents_mm)
-      throw InputError({table.file, where, "", "a mesh needs the columns x_mm, y_mm and z_mm"});
-    const std::string name = file_name(particle.name);
-    const Rock rock =
-        make_rock(figures_of(particle), {.seed = options.seed, .name = name}, table.file, where);
-    made.push_back(
-        {particle.name, std::filesystem::path(options.meshes) / (name + ".stl"), rock.worst_error});
-    write_stl(made.back().file, rock.mesh);
+    const auto [owner, is_new] = owners.emplace(file_name(particle.name), &particle);
+    if (!is_new)
+      faults.add(
+          table.file, fmt::format("line {}", particle.line), particle.name,
+          fmt::format("its mesh would be {}, like that of '{}' in line {}: rename one",
+                      mesh_file(particle, options).string(), owner->second->name, owner->second->line));
+  }
+}
+
+/// A mesh for every row, none of them written. Throws InputError with every row that has none.
+std::vector<Rock> make_rocks(const ScanTable& table, const ShapeOptions& options) {
+  Faults faults;
+  check_files(table, options, faults);
+  std::vector<Rock> rocks;
+  for (const ScannedParticle& particle : table.particles) {
+    if (!particle.extents_mm) continue;
+    try {
+      rocks.push_back(
+          make_rock(figures_of(particle),
+                    {.seed = static_cast<std::uint64_t>(options.seed), .name = file_name(particle.name)},
+                    table.file, fmt::format("line {}", particle.line)));
+    } catch (const InputError& error) {
+      faults.add(error);
+    }
+  }
+  faults.throw_if_any();
+  return rocks;
+}
+
+std::vector<MadeMesh> write_meshes(const ScanTable& table, const std::vector<Rock>& rocks,
+                                   const ShapeOptions& options) {
+  std::vector<MadeMesh> made;
+  for (std::size_t i = 0; i < rocks.size(); ++i) {
+    made.push_back({table.particles[i].name, mesh_file(table.particles[i], options), rocks[i].worst_error});
+    write_stl(made.back().file, rocks[i].mesh);
     if (!options.common.quiet) fmt::print(stderr, "{}\n", made.back().file.string());
   }
   return made;
 }
 
-int shape_verb(const ShapeOptions& options) {
+/// The table; the faults of the command line and of the table together.
+ScanTable checked_table(const ShapeOptions& options) {
   Faults faults;
   if (options.class_width)
     check_range(faults, "--class-width", *options.class_width, 1e-6, 1e12, "must be a width in mm3, > 0");
+  check_range(faults, "--seed", static_cast<double>(options.seed), 0, 9.3e18, "must be 0 or more");
+  if (!options.plot.empty()) check_output_file(faults, options.plot);
+  if (!options.meshes.empty()) check_folder(faults, options.meshes);
+  ScanTable table;
+  try {
+    const bool usable = options.class_width && *options.class_width > 0.0;
+    table = read_scan_table(options.table, {.class_width_mm3 = usable ? options.class_width : std::nullopt});
+  } catch (const InputError& error) {
+    faults.add(error);
+  }
   faults.throw_if_any();
-  const ScanTable table = read_scan_table(options.table, {.class_width_mm3 = options.class_width});
+  return table;
+}
+
+int shape_verb(const ShapeOptions& options) {
+  const ScanTable table = checked_table(options);
+  std::vector<Rock> rocks;
+  if (!options.meshes.empty()) rocks = make_rocks(table, options);
   if (!options.plot.empty()) draw_sphericity(options.plot, table);
-  std::vector<MadeMesh> meshes;
-  if (!options.meshes.empty()) meshes = make_meshes(table, options);
+  const std::vector<MadeMesh> meshes = write_meshes(table, rocks, options);
   if (options.common.json)
     print_json(shape_json(table, meshes));
   else

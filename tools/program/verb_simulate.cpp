@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "engine/base/csv.hpp"
+#include "engine/base/json_file.hpp"
 #include "engine/run/run.hpp"
-#include "engine/scene/json_file.hpp"
 #include "engine/scene/scene_reader.hpp"
 #include "tools/program/frame_writer.hpp"
 #include "tools/program/heap_files.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/json_file.hpp"
 #include "engine/scene/case_keys.hpp"
-#include "engine/scene/json_file.hpp"
 #include "engine/scene/scene_reader.hpp"
 #include "stability/hostile/sample/hostile_check.hpp"
 

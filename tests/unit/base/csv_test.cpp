@@ -92,6 +92,19 @@ TEST_F(Csv, NamesColumnsWithoutANameAndThoseGivenTwice) {
             "t.csv: line 2 = a: this column is named twice");
 }
 
+TEST_F(Csv, RefusesQuotesThatAreNotThoseOfAWholeCell) {
+  EXPECT_EQ(fault("a,b\n2\"5,1\n\"open,1\n\"x\"y,2\n"),
+            "t.csv: line 2: holds a quote inside a cell that does not begin with one\n"
+            "t.csv: line 3: holds a quote that is not closed on its line\n"
+            "t.csv: line 4: holds text behind the closing quote of a cell");
+  EXPECT_EQ(read("a,b\n \"x\" , \"\"\n").rows, (std::vector<Row>{{"x", ""}}));
+}
+
+TEST_F(Csv, RefusesOtherSeparatorsInOneFault) {
+  EXPECT_EQ(fault("a;b\n1;2\n3;4\n"), "t.csv: line 1 = a;b: cells must be separated by commas");
+  EXPECT_EQ(fault("a\tb\n1\t2\n"), "t.csv: line 1 = a\tb: cells must be separated by commas");
+}
+
 TEST_F(Csv, RefusesAFileWithoutAHeader) {
   EXPECT_EQ(fault(""), "t.csv: holds no header line");
   EXPECT_EQ(fault("# only\n\n"), "t.csv: holds no header line");

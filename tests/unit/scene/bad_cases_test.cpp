@@ -127,7 +127,7 @@ const BadCase kBadCases[] = {
      {"case.json: /particles/shapes/0/spheres: is missing: a mesh needs it"}},
     {"MeshWithNoSpheres",
      R"({"particles": {"shapes": [{"mesh": "README.md", "spheres": 0}]}})",
-     {"case.json: /particles/shapes/0/spheres = 0: must be >= 1"}},
+     {"case.json: /particles/shapes/0/spheres = 0: must be between 1 and 300"}},
     {"MeshWithHalfASphere",
      R"({"particles": {"shapes": [{"mesh": "README.md", "spheres": 8.5}]}})",
      {"case.json: /particles/shapes/0/spheres = 8.5: must be a whole number"}},

@@ -5,6 +5,7 @@
 
 #include "engine/scene/case_document.hpp"
 #include "engine/scene/scene_reader.hpp"
+#include "support/message_of.hpp"
 
 namespace repose::test {
 
@@ -63,17 +64,6 @@ inline std::vector<std::string> faults_of(const CaseDocument& document) {
   std::vector<std::string> lines;
   for (const Fault& fault : faults.list()) lines.push_back(fault.text());
   return lines;
-}
-
-/// what() of the InputError that an action throws; "" where it throws none.
-template <class Action>
-std::string message_of(Action action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 }  // namespace repose::test

@@ -5,9 +5,9 @@
 #include <map>
 #include <set>
 
+#include "engine/base/json_file.hpp"
 #include "engine/base/vec3.hpp"
 #include "engine/scene/case_keys.hpp"
-#include "engine/scene/json_file.hpp"
 #include "support/process.hpp"
 #include "unit/scene/good_case.hpp"
 

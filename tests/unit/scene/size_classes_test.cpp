@@ -57,6 +57,16 @@ TEST(SizeClasses, GiveBackTheMassShares) {
   EXPECT_NEAR(classes[2].number_fraction * classes[2].volume_min / mass, 0.15, 1e-14);
 }
 
+// A particle of 1 litre spans more than the cylinder of 100 mm.
+TEST(SizeClasses, OfWhichNothingIsPouredAreNotLookedAt) {
+  const auto faults = [](const std::string& small, const std::string& large) {
+    return faults_of(patched(R"({"particles": {"size_classes": [{"volume_mm3": [100, 200], "percent": )" +
+                             small + R"(}, {"volume_mm3": [1e6, 1e6], "percent": )" + large + "}]}}"));
+  };
+  EXPECT_EQ(faults("100", "0"), std::vector<std::string>{});
+  EXPECT_FALSE(faults("99", "1").empty());
+}
+
 TEST(SizeClasses, MayBeOfOneVolume) {
   const auto classes = classes_of(R"([{"volume_mm3": [150, 150], "percent": 100}])");
   ASSERT_EQ(classes.size(), 1U);

@@ -154,6 +154,53 @@ TEST_F(MeshFile, ABodyThatCrossesItselfIsRefused) {
   EXPECT_THAT(faults_of(crossing), HasSubstr("crosses another facet"));
 }
 
+/// A star of n corners, each joined to the k-th next, below and above with a tip: closed, and turned k times.
+Mesh star_bipyramid(std::uint32_t n, std::uint32_t k) {
+  Mesh star;
+  for (std::uint32_t i = 0; i < n; ++i)
+    star.vertices.emplace_back(0.004 * std::cos(2 * kPi * i / n), 0.004 * std::sin(2 * kPi * i / n), 0.0);
+  star.vertices.emplace_back(0, 0, 0.0032);
+  star.vertices.emplace_back(0, 0, -0.0032);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    star.facets.push_back({i, (i + k) % n, n});
+    star.facets.push_back({(i + k) % n, i, n + 1});
+  }
+  return star;
+}
+
+TEST_F(MeshFile, AStarWhoseEdgesCrossEdgesOnlyIsRefused) {
+  EXPECT_EQ(faults_of(star_bipyramid(5, 1)), "");
+  EXPECT_EQ(faults_of(star_bipyramid(8, 1)), "");
+  for (const auto& [n, k] : {std::pair{5u, 2u}, {7u, 2u}, {7u, 3u}, {8u, 3u}})
+    EXPECT_THAT(faults_of(star_bipyramid(n, k)), HasSubstr("crosses another facet")) << n << "/" << k;
+}
+
+TEST_F(MeshFile, FacetsInOnePlaneThatTouchAreSound) {
+  // A plate whose top is a fan of triangles about a corner, all in one plane.
+  std::vector<Eigen::Vector2d> curve = {{0.0, 0.0}, {0.005, 0.0}, {0.005, 0.001}, {0.0, 0.001}};
+  EXPECT_EQ(faults_of(turned_mesh(curve, 24)), "");
+}
+
+TEST_F(MeshFile, TheUnitAndWhoSaysItAreTold) {
+  const Mesh body = box_mesh(Vec3(8.0, 9.0, 10.0));
+  const MeshFromFile guessed = read_mesh_file(write("a.stl", ascii(body)));
+  EXPECT_EQ(guessed.metres_per_unit, 1e-3);
+  EXPECT_EQ(guessed.unit_source, UnitSource::size);
+  const std::filesystem::path named = write("b.stl", ascii(body, "solid x, units = \"Millimeters\""));
+  EXPECT_EQ(read_mesh_file(named).metres_per_unit, 1e-3);
+  EXPECT_EQ(read_mesh_file(named).unit_source, UnitSource::file);
+  EXPECT_EQ(read_mesh_file(named, 0.01).unit_source, UnitSource::given);
+  EXPECT_THAT(faults_of("c.stl", ascii(body, "solid x units=miles")), HasSubstr("unit 'miles'"));
+  EXPECT_EQ(read_mesh_file(write("c.stl", ascii(body, "solid x units=miles")), 0.001).metres_per_unit, 1e-3);
+}
+
+TEST_F(MeshFile, FaultsOfASurfaceNameTheFaceOfTheFile) {
+  const std::string obj =
+      "v 0 0 0\nv .01 0 0\nv .01 .01 0\nv 0 .01 0\nv 0 0 .01\nv .01 0 .01\nv .01 .01 .01\nv 0 .01 .01\n"
+      "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 1 4 8 5\n";
+  EXPECT_THAT(faults_of("a.obj", obj), HasSubstr("face 6 (line 14): is turned against its neighbours"));
+}
+
 TEST_F(MeshFile, TwoBodiesAreNotOne) {
   Mesh two = box_mesh(Vec3(0.01, 0.01, 0.01));
   const Mesh other = two;
@@ -192,9 +239,10 @@ TEST_F(MeshFile, FilesThatEndEarlyAreRefused) {
   EXPECT_THAT(faults_of("head.stl", bytes.substr(0, 60)), HasSubstr("is no STL file"));
   const std::string text = ascii(octahedron_mesh(0.004));
   EXPECT_THAT(faults_of("text.stl", text.substr(0, text.size() / 2)), HasSubstr("is cut off"));
-  EXPECT_THAT(
-      faults_of("a.ply", "ply\nformat ascii 1.0\nelement vertex 4\nelement face 4\nend_header\n0 0 0\n"),
-      HasSubstr("vertex 2: is cut off"));
+  EXPECT_THAT(faults_of("a.ply",
+                        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                        "property float z\nend_header\n0 0 0\n"),
+              HasSubstr("vertex 2: is cut off"));
 }
 
 TEST_F(MeshFile, DamagedFilesAreReadOrRefusedButNeverMore) {
@@ -230,7 +278,7 @@ TEST_F(MeshFile, OtherFilesAreRefused) {
   EXPECT_THAT(faults_of("b.ply", "ply\nformat binary_little_endian 1.0\nend_header\n"),
               HasSubstr("format ascii"));
   EXPECT_THAT(faults_of("a.obj", "v 0 0 0\nf 1 2 3\n"),
-              HasSubstr("facet 1 = corner 1: is not among the vertices"));
+              HasSubstr("face 1 (line 2) = corner 2: is not among the vertices"));
   EXPECT_THAT(faults_of("a.obj", "just words\n"), HasSubstr("holds no facets"));
   EXPECT_THROW(read_mesh(folder_ / "not_there.stl"), InputError);
   EXPECT_THROW(read_mesh(folder_), InputError);

@@ -112,5 +112,39 @@ TEST_F(ScanTableFile, RefusesATableWithoutALine) {
   EXPECT_THROW(read_scan_table("no_such_table.csv"), InputError);
 }
 
+TEST_F(ScanTableFile, AVolumeOnABoundaryBelongsToTheClassThatItBegins) {
+  std::ofstream(file_) << "volume_mm3,surface_area_mm2\n0.1,2\n0.2,3\n0.3,4\n0.6,5\n0.7,6\n";
+  const ScanTable table = read_scan_table(file_, {.class_width_mm3 = 0.1});
+  ASSERT_EQ(table.size_classes.size(), 7u);
+  const std::size_t counts[] = {1, 1, 1, 0, 0, 1, 1};
+  for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(table.size_classes[i].count, counts[i]) << i;
+}
+
+TEST_F(ScanTableFile, EqualVolumesGetAClassOfTheirOwnSize) {
+  std::ofstream(file_) << "volume_mm3,surface_area_mm2\n250,300\n250,310\n250,320\n";
+  const ScanTable table = read_scan_table(file_);
+  ASSERT_EQ(table.size_classes.size(), 1u);
+  EXPECT_DOUBLE_EQ(table.size_classes[0].volume_min_mm3, 250.0);
+  EXPECT_DOUBLE_EQ(table.size_classes[0].volume_max_mm3, 300.0);  // 50 is the next of 1, 2, 5 × 10^k to 25
+  EXPECT_EQ(table.size_classes[0].count, 3u);
+}
+
+TEST_F(ScanTableFile, RefusesMoreClassesThanAnybodyReads) {
+  std::ofstream(file_) << "volume_mm3,surface_area_mm2\n100,300\n200,310\n300,320\n";
+  EXPECT_EQ(read_scan_table(file_, {.class_width_mm3 = 0.25}).size_classes.size(), 801u);
+  try {
+    read_scan_table(file_, {.class_width_mm3 = 1e-6});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("class width 1e-06 mm3: makes 200000001 size classes"));
+  }
+}
+
+TEST_F(ScanTableFile, RefusesAPrintedSphericityAboveOne) {
+  EXPECT_THAT(
+      faults_of("volume_mm3,surface_area_mm2,sphericity\n1000,600,80.6\n8000,2400,0.806\n27000,5400,0.8\n"),
+      HasSubstr("line 2 = sphericity 80.6: no body has a sphericity above 1"));
+}
+
 }  // namespace
 }  // namespace repose

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "engine/scene/json_file.hpp"
+#include "engine/base/json_file.hpp"
 #include "engine/shape/clump.hpp"
 #include "sweep/plan.hpp"
 #include "sweep/study.hpp"

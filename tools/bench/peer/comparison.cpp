@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "engine/base/input_error.hpp"
-#include "engine/scene/json_file.hpp"
+#include "engine/base/json_file.hpp"
 
 namespace repose::peer {
 

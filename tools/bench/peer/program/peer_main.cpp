@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/input_error.hpp"
-#include "engine/scene/json_file.hpp"
+#include "engine/base/json_file.hpp"
 #include "engine/scene/scene_reader.hpp"
 #include "tools/bench/peer/comparison.hpp"
 #include "tools/bench/peer/liggghts_case.hpp"

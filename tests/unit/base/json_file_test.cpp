@@ -1,15 +1,17 @@
-#include "engine/scene/json_file.hpp"
+#include "engine/base/json_file.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
+#include "support/message_of.hpp"
 #include "support/process.hpp"
-#include "unit/scene/good_case.hpp"
 
 namespace repose::test {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 std::string fault_of(const std::string& text) {
   return message_of([&] { parse_json(text, "a.json"); });

@@ -1,4 +1,4 @@
-#include "engine/scene/json_file.hpp"
+#include "engine/base/json_file.hpp"
 
 #include <fmt/format.h>
 
