@@ -96,6 +96,17 @@ class ScenesOfPoints {
     return words;
   }
 
+  /// Pointer to the first set of frictions that gives a factor the value that a message shows.
+  [[nodiscard]] std::string place_of_friction(const Factor& factor, const std::string& value) const {
+    const Ladder& ladder = design_.ladder;
+    const auto name = std::ranges::find(ladder.friction_names, factor.name) - ladder.friction_names.begin();
+    const auto set = std::ranges::find_if(ladder.frictions, [&](const std::vector<double>& values) {
+      return shown(as_json(factor, values[static_cast<std::size_t>(name)])) == value;
+    });
+    if (set == ladder.frictions.end()) return "/chart/frictions";
+    return pointer_to(fmt::format("/chart/frictions/{}", set - ladder.frictions.begin()), factor.name);
+  }
+
   /// A fault of a value that the design has set is the design's own.
   [[nodiscard]] std::pair<Fault, bool> placed(Fault fault) const {
     if (fault.file.starts_with(kOfLadder)) {
@@ -112,7 +123,7 @@ class ScenesOfPoints {
       if (factor.pointer != fault.pointer) continue;
       if (design_.kind == DesignKind::chart) {
         fault.file = document_.source("/chart/frictions");
-        fault.pointer = pointer_to("/chart/frictions", factor.name);
+        fault.pointer = place_of_friction(factor, fault.value);
       } else if (design_.kind == DesignKind::table) {
         fault.file = document_.resolve("/sweep/table", design_.table_file).string();
         fault.pointer = "column " + factor.name;

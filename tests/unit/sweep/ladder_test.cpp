@@ -148,7 +148,7 @@ TEST(ChartDesign, NamesEveryFaultOfFrictionsAndRungsTogether) {
   chart["replicates"] = 1;
   const std::string message = message_of([&] { make_plan(document_of(charted(chart))); });
   for (const char* fault :
-       {"/chart/frictions/mu_s = -1", "/chart/frictions/mu_s = -2", "/chart/frictions/mu_r = -7",
+       {"/chart/frictions/0/mu_s = -1", "/chart/frictions/1/mu_s = -2", "/chart/frictions/2/mu_r = -7",
         "/chart/working_point/~1numerics~1stiffness_scale = -1",
         "/chart/rungs/1/set/~1contact~1rolling_model = 7", "/chart/replicates = 1"})
     EXPECT_NE(message.find(fault), std::string::npos) << fault << "\nin\n" << message;
