@@ -46,6 +46,8 @@ class Rungs {
       add("opening × 3", {{"/test/opening_speed_m_s", 3.0 * scene_.test.opening_speed}});
       add("instant opening", {{"/test/opening", "instant"}});
     }
+    if (scene_.numerics.arithmetic == Arithmetic::double_precision)
+      add("mixed arithmetic", {{"/numerics/arithmetic", "mixed"}});
     add_sizes();
     add_shapes();
   }

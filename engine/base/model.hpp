@@ -20,4 +20,9 @@ enum class RollingTorque { limited, unlimited };
 /// How forces become motion (equations and orders: engine/dynamics/integrate.hpp).
 enum class Integrator { symplectic_euler, velocity_verlet, explicit_euler };
 
+/// In what precision contacts between particles are computed (contact/single.hpp). mixed: relative motion,
+/// contact law and the forces of one contact in single precision; positions, what touches and by how much,
+/// sums of forces and motion in double precision as always.
+enum class Arithmetic { double_precision, mixed };
+
 }  // namespace repose

@@ -88,10 +88,24 @@ struct ContactForces {
 template <RollingModel kModel, class T>
 REPOSE_INLINE T tangential_yield(const LawParameters& law, const T& F_n, const Triple<T>& F_t) {
   if constexpr (kModel != RollingModel::type_a) return 3.5;
-  constexpr double kNone = 1e-60;  // [N]
   const T size = length(F_t), resisted = smaller(T(law.rolling * absolute(F_n)), size);
-  return 3.5 - 2.5 * resisted / select(size > kNone, size, T(1.0));
+  return 3.5 - 2.5 * resisted / select(size > kNothing<T>, size, T(1.0));
 }
+
+/// 1/a, 1/b and 1/c, in one division where that pays.
+template <class T>
+struct Inverses {
+  T of_a, of_b, of_c;
+
+  REPOSE_INLINE Inverses(const T& a, const T& b, const T& c) {
+    if constexpr (kSharesDivisions<T>) {
+      const T inverse = 1.0 / (a * b * c);
+      of_a = inverse * b * c, of_b = inverse * a * c, of_c = inverse * a * b;
+    } else {
+      of_a = 1.0 / a, of_b = 1.0 / b, of_c = 1.0 / c;
+    }
+  }
+};
 
 /// Force and rolling torque of one contact, and its history brought to this step. type_a's torque, which
 /// depends on each body's own ω, is not here: the integrator applies it from Σ μr |F_n| R_i
@@ -115,17 +129,15 @@ REPOSE_INLINE ContactForces<T> contact_forces(const LawParameters& law, const Co
   const ContactStiffness<T> stiffness = contact_stiffness(law, contact.R_eff, contact.m_eff, contact.overlap);
   const NormalForce<T> normal = normal_force(law, stiffness, contact.overlap, v_normal_damped);
 
-  // One division serves three: by the square of the turned spring, the contact's old radius and the relative
-  // spin. A division takes as long as some twenty multiplications.
   const TurnedSpring<T> turned =
       turned_spring(history.tangential.value, contact.n, T(0.5 * dt * motion.w_normal));
   const auto known = history.tangential.root > 0.0;
   const T root_before = select(known, history.tangential.root, T(1.0));
   T spin = 1.0;
   if constexpr (kModel == RollingModel::type_a_relative) spin = spin_or_one(motion.w_rel);
-  const T inverse = 1.0 / (turned.after * root_before * spin);
-  history.tangential.value = turned.with_old_length(inverse * root_before * spin);
-  const T unloading = stiffness.root * (inverse * turned.after * spin);
+  const Inverses<T> inverse(turned.after, root_before, spin);
+  history.tangential.value = turned.with_old_length(inverse.of_a);
+  const T unloading = stiffness.root * inverse.of_b;
   const TangentialForce<T> tangent = tangential_force(law, stiffness, normal.total, v_tangent,
                                                       v_tangent_damped, unloading, dt, history.tangential);
 
@@ -155,7 +167,7 @@ REPOSE_INLINE ContactForces<T> contact_forces(const LawParameters& law, const Co
       result.rolling_torque = rolling_spring<kModel>(law, rolling, dt, history.rolling);
       mean = result.rolling_torque - T(0.5) * (history.rolling - previous);
     } else {
-      mean = result.rolling_torque = constant_torque(law, rolling, inverse * turned.after * root_before);
+      mean = result.rolling_torque = constant_torque(law, rolling, inverse.of_c);
     }
     if (timing.booked) result.power.rolling = T(0.0) - dot(mean, rolling.w_rel);
   }

@@ -73,9 +73,8 @@ template <class T>
 REPOSE_INLINE TurnedSpring<T> turned_spring(const Triple<T>& spring, const Triple<T>& n, const T& spin) {
   const Triple<T> spun = spring + spin * cross(n, spring);
   const Triple<T> flat = spun - dot(spun, n) * n;
-  constexpr double kNone = 1e-60;  // square of what no force or displacement counts as
   const T after = dot(flat, flat);
-  return {flat, dot(spring, spring), select(after > kNone, after, T(1.0))};
+  return {flat, dot(spring, spring), select(after > kNothing<T>, after, T(1.0))};
 }
 
 template <class T>

@@ -29,9 +29,8 @@ REPOSE_INLINE Triple<T> across(const Triple<T>& vector, const Triple<T>& n) {
 /// factors.
 template <class T>
 REPOSE_INLINE T spin_or_one(const Triple<T>& w_rel) {
-  constexpr double kNone = 1e-60;  // [rad/s]
   const T spin = length(w_rel);
-  return select(spin > kNone, spin, T(1.0));
+  return select(spin > kNothing<T>, spin, T(1.0));
 }
 
 /// Constant torque against the relative rotation (type_a_relative, LIGGGHTS `cdt`):

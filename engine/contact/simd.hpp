@@ -51,6 +51,15 @@ REPOSE_INLINE T larger(const T& a, const T& b) {
 
 inline constexpr std::size_t kSimdWidth = SimdReal::size();
 
+/// Whether several divisions are one, by the product of their denominators. A division of doubles takes as
+/// long as some twenty multiplications; one of floats is cheap, and the product may be too small for them.
+template <class T>
+inline constexpr bool kSharesDivisions = true;
+
+/// What is smaller counts as nothing to divide by: forces, displacements and their squares, spins.
+template <class T>
+inline constexpr double kNothing = 1e-60;
+
 /// Two vectors that go the same way side by side. A law is one long chain of roots and divisions, during
 /// which a core has nothing else to do; with a second chain beside it, it has. Measured in
 /// tools/bench/NOTES.md.

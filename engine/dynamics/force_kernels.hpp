@@ -82,10 +82,11 @@ struct ForceKernels {
                        TouchingWalls&) = nullptr;
 };
 
-/// The kernels for a rolling model, chosen once per run.
-ForceKernels force_kernels(RollingModel model);
+/// The kernels for a rolling model, chosen once per run. Contacts at walls, few beside those of pairs, are
+/// computed in double precision always.
+ForceKernels force_kernels(RollingModel model, Arithmetic arithmetic);
 
 template <RollingModel kModel>
-ForceKernels make_force_kernels();
+ForceKernels make_force_kernels(Arithmetic arithmetic);
 
 }  // namespace repose

@@ -1,12 +1,11 @@
-#include "engine/dynamics/pair_kernel.hpp"
-#include "engine/dynamics/wall_kernel.hpp"
+#include "engine/dynamics/kernels_of.hpp"
 
 // One file per rolling model, so that the kernels compile side by side.
 namespace repose {
 
 template <>
-ForceKernels make_force_kernels<RollingModel::type_a>() {
-  return {pair_forces<RollingModel::type_a>, wall_forces<RollingModel::type_a>};
+ForceKernels make_force_kernels<RollingModel::type_a>(Arithmetic arithmetic) {
+  return kernels_of<RollingModel::type_a>(arithmetic);
 }
 
 }  // namespace repose

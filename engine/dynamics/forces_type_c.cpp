@@ -1,12 +1,11 @@
-#include "engine/dynamics/pair_kernel.hpp"
-#include "engine/dynamics/wall_kernel.hpp"
+#include "engine/dynamics/kernels_of.hpp"
 
 // One file per rolling model, so that the kernels compile side by side.
 namespace repose {
 
 template <>
-ForceKernels make_force_kernels<RollingModel::type_c>() {
-  return {pair_forces<RollingModel::type_c>, wall_forces<RollingModel::type_c>};
+ForceKernels make_force_kernels<RollingModel::type_c>(Arithmetic arithmetic) {
+  return kernels_of<RollingModel::type_c>(arithmetic);
 }
 
 }  // namespace repose

@@ -52,7 +52,7 @@ Simulation::Simulation(const Scene& scene, double dt, std::shared_ptr<Crew> crew
       rolling_model_(scene.contact.rolling_model),
       motion_step_{dt, rolling_model_, scene.numerics.integrator, scene.contact.rolling_torque},
       force_step_(laws_of(scene, dt)),
-      kernels_(force_kernels(scene.contact.rolling_model)),
+      kernels_(force_kernels(scene.contact.rolling_model, scene.numerics.arithmetic)),
       bodies_(scene.particles.shapes, scene.particles.material.density),
       contacts_(bodies_.shapes, skins_of(scene, dt), dt, has_rolling_spring(rolling_model_), section_bodies),
       crew_(crew ? std::move(crew) : std::make_shared<Crew>()) {}

@@ -5,34 +5,13 @@
 #include <limits>
 
 #include "engine/contact/law_parameters.hpp"
+#include "engine/scene/particle_sizes.hpp"
 
 namespace repose {
-
-double smallest_scale(const Particles& particles, const Clump& shape) {
-  if (particles.size_classes.empty()) return 1.0;
-  double volume = std::numeric_limits<double>::infinity();
-  for (const SizeClass& size : particles.size_classes)
-    if (size.number_fraction > 0.0) volume = std::min(volume, size.volume_min);
-  return std::cbrt(volume / shape.volume);
-}
 
 double rayleigh_time(double radius, const Material& material) {
   return kPi * radius * std::sqrt(material.density / material.shear_modulus) /
          (0.163 * material.poisson_ratio + 0.8766);
-}
-
-double smallest_sphere(const Particles& particles) {
-  double radius = std::numeric_limits<double>::infinity();
-  for (const Clump& shape : particles.shapes)
-    radius = std::min(radius, smallest_scale(particles, shape) * shape.smallest_radius());
-  return radius;
-}
-
-double equivalent_sphere(const Particles& particles) {
-  double volume = std::numeric_limits<double>::infinity();
-  for (const Clump& shape : particles.shapes)
-    volume = std::min(volume, std::pow(smallest_scale(particles, shape), 3) * shape.volume);
-  return std::cbrt(3.0 * volume / (4.0 * kPi));
 }
 
 double rayleigh_time(double radius, const Scene& scene) {

@@ -7,16 +7,7 @@ namespace repose {
 /// Rayleigh time of a sphere: T_R = π R √(ρ/G) / (0.163 ν + 0.8766)   [s]   (article eq. 9)
 double rayleigh_time(double radius, const Material& material);
 
-/// Scale at which a shape has the least volume that the scene can pour; 1 where there are no size classes.
-double smallest_scale(const Particles& particles, const Clump& shape);
-
-/// The radius of the smallest sphere that the scene can pour [m].
-double smallest_sphere(const Particles& particles);
-
-/// The radius of the sphere of the volume of the smallest particle that the scene can pour [m].
-double equivalent_sphere(const Particles& particles);
-
-/// Rayleigh time of such a sphere at the scene's stiffness [s].
+/// The same at the scene's stiffness [s].
 double rayleigh_time(double radius, const Scene& scene);
 
 /// Fastest that a particle falls on another: from the cylinder's top, with the speed of the pour [m/s].

@@ -63,7 +63,7 @@ REPOSE_INLINE void wall_block(const ForceStep& step, Bodies& bodies, ForceKernel
   for (std::size_t lane = 0; lane < kSimdWidth; ++lane)
     wall[lane] = &walls[static_cast<std::size_t>(touching.placed_b[first + lane])];
   const std::int32_t *body = touching.body_a.data() + first, *at_history = touching.history.data() + first;
-  const BlockSide i = load_side(bodies, placed, touching.placed_a.data() + first, body);
+  const auto i = load_side<SimdReal>(bodies, placed, touching.placed_a.data() + first, body);
   ContactGeometry<SimdReal> contact;
   contact.n = {load(touching.nx, first), load(touching.ny, first), load(touching.nz, first)};
   contact.overlap = load(touching.overlap, first);
@@ -85,10 +85,10 @@ REPOSE_INLINE void wall_block(const ForceStep& step, Bodies& bodies, ForceKernel
   Triple<SimdReal> lead;
   ContactTiming<SimdReal> timing{step.dt, step.lag, step.booked, nullptr};
   if (step.leads) {
-    lead = lead_of(bodies, body, arm);
+    lead = lead_of<SimdReal>(bodies, body, arm);
     timing.lead = &lead;
   }
-  ContactHistory<SimdReal> history = load_history(near, at_history, kSpring);
+  ContactHistory<SimdReal> history = load_history<SimdReal>(near, at_history, kSpring);
   const ContactForces<SimdReal> f = contact_forces<kModel>(step.wall_law, contact, motion, timing, history);
   store_history(history, near, at_history, lanes, kSpring);
   if (step.booked) {

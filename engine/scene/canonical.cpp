@@ -77,16 +77,19 @@ Json json_of(const SlumpTest& test) {
 }
 
 Json json_of(const Numerics& numerics) {
-  const auto& [time_step_fraction, time_step, stiffness_scale, integrator, settle_energy_ratio,
+  const auto& [time_step_fraction, time_step, stiffness_scale, integrator, arithmetic, settle_energy_ratio,
                rest_energy_ratio, rest_angle_change, stage_time_limit] = numerics;
-  return {{"time_step_fraction", time_step_fraction ? Json(*time_step_fraction) : Json()},
-          {"time_step", time_step ? Json(*time_step) : Json()},
-          {"stiffness_scale", stiffness_scale},
-          {"integrator", choice_name(integrator)},
-          {"settle_energy_ratio", settle_energy_ratio},
-          {"rest_energy_ratio", rest_energy_ratio},
-          {"rest_angle_change", rest_angle_change ? Json(*rest_angle_change) : Json()},
-          {"stage_time_limit", stage_time_limit}};
+  Json json = {{"time_step_fraction", time_step_fraction ? Json(*time_step_fraction) : Json()},
+               {"time_step", time_step ? Json(*time_step) : Json()},
+               {"stiffness_scale", stiffness_scale},
+               {"integrator", choice_name(integrator)},
+               {"settle_energy_ratio", settle_energy_ratio},
+               {"rest_energy_ratio", rest_energy_ratio},
+               {"rest_angle_change", rest_angle_change ? Json(*rest_angle_change) : Json()},
+               {"stage_time_limit", stage_time_limit}};
+  // Written only where it is another than all versions before it had: their studies keep their runs.
+  if (arithmetic != Arithmetic::double_precision) json["arithmetic"] = choice_name(arithmetic);
+  return json;
 }
 
 Json json_of(const MeasureOptions& measure) {

@@ -116,6 +116,7 @@ std::vector<CaseKey> make_keys() {
       number("/numerics/time_step_s", kPositive),
       number("/numerics/stiffness_scale", kPositive),
       choice("/numerics/integrator", choice_names<Integrator>()),
+      choice("/numerics/arithmetic", choice_names<Arithmetic>()),
       number("/numerics/settle_energy_ratio", kPositive),
       number("/numerics/rest_energy_ratio", kPositive),
       number("/numerics/rest_angle_change_deg", kPositive),

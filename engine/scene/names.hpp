@@ -46,6 +46,10 @@ inline constexpr std::array<Named<Integrator>, 3> kNames<Integrator>{
      {Integrator::explicit_euler, "explicit_euler"}}};
 
 template <>
+inline constexpr std::array<Named<Arithmetic>, 2> kNames<Arithmetic>{
+    {{Arithmetic::double_precision, "double"}, {Arithmetic::mixed, "mixed"}}};
+
+template <>
 inline constexpr std::array<Named<TestKind>, 2> kNames<TestKind>{
     {{TestKind::split_cylinder, "split_cylinder"}, {TestKind::lifted_cylinder, "lifted_cylinder"}}};
 

@@ -1,4 +1,8 @@
+#include <fmt/format.h>
+
+#include "engine/scene/particle_sizes.hpp"
 #include "engine/scene/sections.hpp"
+#include "engine/scene/units.hpp"
 
 namespace repose {
 
@@ -16,6 +20,7 @@ Numerics read_numerics(CheckedCase& checked) {
   }
   numerics.stiffness_scale = checked.number_or("/numerics/stiffness_scale", numerics.stiffness_scale);
   numerics.integrator = checked.choice_or("/numerics/integrator", numerics.integrator);
+  numerics.arithmetic = checked.choice_or("/numerics/arithmetic", numerics.arithmetic);
   numerics.settle_energy_ratio =
       checked.number_or("/numerics/settle_energy_ratio", numerics.settle_energy_ratio);
   numerics.rest_energy_ratio = checked.number_or("/numerics/rest_energy_ratio", numerics.rest_energy_ratio);
@@ -23,6 +28,18 @@ Numerics read_numerics(CheckedCase& checked) {
     numerics.rest_angle_change = radians(*change);
   numerics.stage_time_limit = checked.number_or("/numerics/stage_time_limit_s", numerics.stage_time_limit);
   return numerics;
+}
+
+/// Moments of inertia and squares of forces of smaller particles leave the range of single precision.
+constexpr double kSmallestSingle = 5e-5;  // radius [m]
+
+void check_arithmetic(CheckedCase& checked, const Particles& particles, Arithmetic arithmetic) {
+  if (arithmetic != Arithmetic::mixed || particles.shapes.empty()) return;
+  const double radius = smallest_sphere(particles);
+  if (!(radius >= kSmallestSingle))
+    checked.fault("/numerics/arithmetic",
+                  fmt::format("needs spheres of {} mm radius at least; the smallest has {:.3g} mm",
+                              to_mm(kSmallestSingle), to_mm(radius)));
 }
 
 MeasureOptions read_measure(CheckedCase& checked) {

@@ -102,6 +102,7 @@ std::vector<SizeClass> read_size_classes(CheckedCase& checked) {
     if (!raw.percent || !raw.volume_min || !raw.volume_max) return {};
     // n ~ p / (ρ V): a share by mass becomes a share by number; the density is the same for all
     const double share = raw.by_mass ? *raw.percent / *raw.volume_min : *raw.percent;
+    if (share == 0.0) continue;  // nothing of it is poured
     total += share;
     classes.push_back({*raw.volume_min, *raw.volume_max, share});
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/scene/particle_sizes.hpp"
 #include "engine/scene/sections.hpp"
 #include "engine/scene/units.hpp"
 
@@ -16,31 +17,6 @@ constexpr double kParticlesAcross = 3.0;
 /// More bodies than this do not fit the memory of a machine that one would run them on; it is a slip of
 /// units.
 constexpr double kMostParticles = 1e7;
-
-/// Largest and mean sizes that a scene pours.
-struct Sizes {
-  double mean_volume = 0.0;  ///< by number [m³]
-  double diameter = 0.0;     ///< of the sphere of equal volume, largest [m]
-  double span = 0.0;         ///< of the sphere around a particle, largest [m]
-};
-
-Sizes sizes_of(const Particles& particles) {
-  Sizes sizes;
-  const double share = 1.0 / static_cast<double>(particles.shapes.size());
-  double largest_class = 0.0;
-  for (const SizeClass& size : particles.size_classes) {
-    if (size.number_fraction == 0.0) continue;  // nothing of it is poured
-    largest_class = std::max(largest_class, size.volume_max);
-    sizes.mean_volume += size.number_fraction * 0.5 * (size.volume_min + size.volume_max);
-  }
-  for (const Clump& shape : particles.shapes) {
-    const double scale = particles.size_classes.empty() ? 1.0 : std::cbrt(largest_class / shape.volume);
-    if (particles.size_classes.empty()) sizes.mean_volume += share * shape.volume;
-    sizes.diameter = std::max(sizes.diameter, scale * shape.equivalent_diameter());
-    sizes.span = std::max(sizes.span, scale * 2.0 * shape.bounding_radius());
-  }
-  return sizes;
-}
 
 }  // namespace
 
@@ -66,7 +42,7 @@ SlumpTest read_test(CheckedCase& checked) {
 
 void check_fit(CheckedCase& checked, const Particles& particles, const SlumpTest& test) {
   if (particles.shapes.empty()) return;
-  const Sizes sizes = sizes_of(particles);
+  const LargestSizes sizes = largest_sizes(particles);
   const double diameter = 2.0 * test.cylinder_radius;
   if (diameter > 0.0 && diameter < sizes.span)
     checked.fault("/test/cylinder/diameter_mm",

@@ -83,6 +83,7 @@ struct Numerics {
   std::optional<double> time_step;  ///< [s]
   double stiffness_scale = 1.0;     ///< multiplies G of particles and walls
   Integrator integrator = Integrator::symplectic_euler;
+  Arithmetic arithmetic = Arithmetic::double_precision;
   /// Mean kinetic energy per body over m g d below which a stage counts as at rest.
   double settle_energy_ratio = 1e-4;
   double rest_energy_ratio = 1e-5;

@@ -15,6 +15,7 @@ Scene read_scene(const CaseDocument& document, Faults& faults, ShapeCache& shape
   scene.test = read_test(checked);
   scene.numerics = read_numerics(checked);
   scene.measure = read_measure(checked);
+  check_arithmetic(checked, scene.particles, scene.numerics.arithmetic);
   check_fit(checked, scene.particles, scene.test);
   return scene;
 }

@@ -21,6 +21,8 @@ SlumpTest read_test(CheckedCase& checked);
 Numerics read_numerics(CheckedCase& checked);
 MeasureOptions read_measure(CheckedCase& checked);
 
+/// Rules between the particles and the precision that they are computed in.
+void check_arithmetic(CheckedCase& checked, const Particles& particles, Arithmetic arithmetic);
 /// Rules between the particles and the test that they are poured into.
 void check_fit(CheckedCase& checked, const Particles& particles, const SlumpTest& test);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/dynamics/time_step.hpp"
+#include "engine/scene/particle_sizes.hpp"
 
 namespace repose {
 

@@ -9,6 +9,7 @@
 #include <mutex>
 
 #include "engine/dynamics/time_step.hpp"
+#include "engine/scene/particle_sizes.hpp"
 #include "engine/stability/elastic_pair.hpp"
 #include "engine/stability/flat_clump.hpp"
 #include "engine/stability/short_slump.hpp"

@@ -82,9 +82,12 @@ TEST(Simulate, IsAFunctionOfCaseAndSeed) {
 TEST(Simulate, IsTheSameOnSeveralThreads) {
   const TemporaryFolder folder;
   const std::string file = write_case(folder, tiny_case());
-  const Finished alone = repose({"simulate", file, "--json"});
-  EXPECT_EQ(without_cpu_time(alone.out),
-            without_cpu_time(repose({"simulate", file, "--threads", "3", "--json"}).out));
+  for (const std::string arithmetic : {"double", "mixed"}) {
+    const std::string set = "/numerics/arithmetic=" + arithmetic;
+    const Finished alone = repose({"simulate", file, "--json", "--set", set});
+    EXPECT_EQ(without_cpu_time(alone.out),
+              without_cpu_time(repose({"simulate", file, "--threads", "3", "--json", "--set", set}).out));
+  }
   const Finished none = repose({"simulate", file, "--threads", "0"});
   EXPECT_EQ(none.code, 2);
   EXPECT_NE(none.err.find("--threads: 0: must be between 1 and 16"), std::string::npos) << none.err;

@@ -76,6 +76,8 @@ struct PlainForces {
   Vec3 force = Vec3::Zero();   ///< on i
   Vec3 torque = Vec3::Zero();  ///< rolling torque on i
   double F_n = 0.0;
+  /// What the force is the sum of, each part by its size: what rounding is to be compared with.
+  double parts = 0.0;
 };
 
 inline Vec3 tangent_part(const Vec3& v, const Vec3& n) { return v - v.dot(n) * n; }
@@ -149,6 +151,7 @@ inline PlainForces plain_contact(const ContactMaterial& material, const PlainCon
 
   PlainForces result;
   result.F_n = F_n;
+  result.parts = F_elastic + (gamma * std::sqrt(S_n * c.m_eff) + damping + S_t * dt) * v.norm();
   result.force = F_n * c.n + F_t;
   result.torque = plain_rolling(material, c, i.w - j.w, F_elastic, F_n, dt, memory);
   return result;

@@ -18,7 +18,7 @@ class PlainWorld {
     Vec3 force = Vec3::Zero();
     Vec3 torque = Vec3::Zero();
     double rolling = 0.0;  ///< type_a: Σ μr |F_n| R_i
-    double size = 0.0;     ///< Σ |F|: what rounding is to be compared with
+    double parts = 0.0;    ///< Σ PlainForces::parts: what rounding is to be compared with
     int contacts = 0;
   };
   using Key = std::array<int, 4>;  ///< body, sphere, body, sphere; walls: −1, wall
@@ -95,11 +95,12 @@ class PlainWorld {
         (1.0 / bodies.inverse_i1[i] + 1.0 / bodies.inverse_i2[i] + 1.0 / bodies.inverse_i3[i]) / 3.0;
     return mean + bodies.motion[i].mass * s.arm.squaredNorm();
   }
-  static void add(Load& load, const PlainSide& s, const Vec3& force, const Vec3& torque, double rolling) {
+  static void add(Load& load, const PlainSide& s, const Vec3& force, const Vec3& torque, double rolling,
+                  double parts) {
     load.force += force;
     load.torque += s.arm.cross(force) + torque;
     load.rolling += rolling * s.arm.norm();
-    load.size += force.norm();
+    load.parts += parts;
     ++load.contacts;
   }
   [[nodiscard]] PlainMemory recall(const Key& key) const {
@@ -126,8 +127,8 @@ class PlainWorld {
     const PlainForces f = plain_contact(pair_, c, i, j, dt, memory);
     kept[key] = memory;
     const double rolling = pair_.model == RollingModel::type_a ? pair_.rolling * std::abs(f.F_n) : 0.0;
-    add(loads[p.body], i, f.force, f.torque, rolling);
-    add(loads[q.body], j, -f.force, -f.torque, rolling);
+    add(loads[p.body], i, f.force, f.torque, rolling, f.parts);
+    add(loads[q.body], j, -f.force, -f.torque, rolling, f.parts);
   }
 
   void wall(const Bodies& bodies, std::size_t a, const Wall& wall, int number, double dt,
@@ -149,7 +150,7 @@ class PlainWorld {
     const PlainForces f = plain_contact(wall_, c, i, j, dt, memory);
     kept[key] = memory;
     add(loads[p.body], i, f.force, f.torque,
-        wall_.model == RollingModel::type_a ? wall_.rolling * std::abs(f.F_n) : 0.0);
+        wall_.model == RollingModel::type_a ? wall_.rolling * std::abs(f.F_n) : 0.0, f.parts);
   }
 
   ContactMaterial pair_, wall_;

@@ -1,4 +1,5 @@
 #include "engine/dynamics/time_step.hpp"
+#include "engine/scene/particle_sizes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -90,15 +91,6 @@ TEST(EquivalentSphere, HasTheVolumeOfTheSmallestParticle) {
   EXPECT_NEAR(equivalent_sphere(scene.particles), 2e-3, 1e-15);
   scene.particles.size_classes = {{1e-9, 4e-9, 1.0}};
   EXPECT_NEAR(equivalent_sphere(scene.particles), std::cbrt(0.75e-9 / kPi), 1e-15);
-}
-
-TEST(EquivalentSphere, IsNotThatOfAClassOfWhichNothingIsPoured) {
-  Scene scene = scene_of({sphere_clump(2e-3)}, kGlass, {0.5, 0.5, 0.1});
-  scene.particles.size_classes = {{1e-9, 4e-9, 1.0}};
-  const double step = automatic_time_step(scene);
-  scene.particles.size_classes = {{1e-12, 1e-9, 0.0}, {1e-9, 4e-9, 1.0}};
-  EXPECT_NEAR(equivalent_sphere(scene.particles), std::cbrt(0.75e-9 / kPi), 1e-15);
-  EXPECT_EQ(automatic_time_step(scene), step);
 }
 
 }  // namespace

@@ -21,6 +21,11 @@ const BadCase kBadCases[] = {
     // The document as a whole
     {"SchemaMissing", R"({"schema": null})", {"case.json: /schema: is missing"}},
     {"SchemaOfAnotherVersion", R"({"schema": 2})", {"case.json: /schema = 2: must be 1"}},
+    {"SpheresTooSmallForSinglePrecision",
+     R"({"numerics": {"arithmetic": "mixed"}, "particles": {"size_classes": [{"volume_mm3": [0.0003, 200], "percent": 100}]}})",
+     {"case.json: /numerics/arithmetic = \"mixed\": needs spheres of 0.05 mm radius at least; the smallest "
+      "has "
+      "0.0415 mm"}},
     {"SchemaAsText", R"({"schema": "1"})", {"case.json: /schema = \"1\": must be a whole number"}},
     {"TitleNotText", R"({"title": 5})", {"case.json: /title = 5: must be a text"}},
     {"UnknownSection",

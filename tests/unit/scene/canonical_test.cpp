@@ -56,6 +56,7 @@ const std::vector<std::pair<const char*, Change>> kChanges = {
     {"rolling damping", [](Scene& s) { s.contact.rolling_damping_ratio += 0.001; }},
     {"rolling torque", [](Scene& s) { s.contact.rolling_torque = RollingTorque::limited; }},
     {"integrator", [](Scene& s) { s.numerics.integrator = Integrator::symplectic_euler; }},
+    {"arithmetic", [](Scene& s) { s.numerics.arithmetic = Arithmetic::mixed; }},
     {"kind", [](Scene& s) { s.test.kind = TestKind::split_cylinder; }},
     {"filling", [](Scene& s) { s.test.filling = Filling::packing; }},
     {"opening", [](Scene& s) { s.test.opening = Opening::moved; }},
@@ -112,6 +113,14 @@ TEST(CanonicalText, ChangesWithEveryNumberOfACase) {
     ++moved_keys;
   }
   EXPECT_EQ(moved_keys, 31);  // of the good case
+}
+
+// Studies from before the key was there keep their runs.
+TEST(CanonicalText, NamesTheArithmeticOnlyWhereItIsNotDouble) {
+  Scene scene = good_scene();
+  EXPECT_EQ(canonical_text(scene).find("arithmetic"), std::string::npos);
+  scene.numerics.arithmetic = Arithmetic::mixed;
+  EXPECT_NE(canonical_text(scene).find(R"("arithmetic":"mixed")"), std::string::npos);
 }
 
 TEST(CanonicalText, DoesNotKnowNamesAndTitles) {

@@ -27,6 +27,13 @@ TEST(SizeClasses, AcceptSharesWithinATenthOfAPercent) {
   EXPECT_EQ(classes_of(R"([{"volume_mm3": [100, 200], "percent": 99.91}])").size(), 1U);
 }
 
+TEST(SizeClasses, LeaveOutThoseWithoutAShare) {
+  const auto classes = classes_of(R"([{"volume_mm3": [1, 2], "percent": 0},
+                                      {"volume_mm3": [100, 200], "percent": 100}])");
+  ASSERT_EQ(classes.size(), 1U);
+  EXPECT_EQ(classes[0].volume_min, 100e-9);
+}
+
 TEST(SizeClasses, TakeADiameterAsOneVolume) {
   const auto classes = classes_of(R"([{"diameter_mm": 6, "percent": 100}])");
   ASSERT_EQ(classes.size(), 1U);
