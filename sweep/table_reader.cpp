@@ -57,10 +57,13 @@ void check_repetitions(const CsvTable& table, const Design& design, Faults& faul
 
 void read_design_table(const std::filesystem::path& file, Design& design, Faults& faults) {
   try {
-    const CsvTable table = read_csv(file);
+    Faults of_rows;
+    const CsvTable table = read_csv(file, of_rows);
     read_columns(table, design, faults);
     for (std::size_t i = 0; i < table.rows.size(); ++i) design.rows.push_back(read_row(table, i, faults));
-    if (table.rows.empty()) faults.add(table.file, "", "", "holds no row below its header");
+    if (table.rows.empty() && of_rows.empty())
+      faults.add(table.file, "", "", "holds no row below its header");
+    faults.add(of_rows);
     check_repetitions(table, design, faults);
   } catch (const InputError& error) {
     faults.add(error);

@@ -79,10 +79,9 @@ std::optional<std::size_t> CsvTable::column(const std::string& name) const {
   return static_cast<std::size_t>(found - columns.begin());
 }
 
-CsvTable read_csv(const std::filesystem::path& file) {
+CsvTable read_csv(const std::filesystem::path& file, Faults& faults) {
   CsvTable table;
   table.file = file.string();
-  Faults faults;
   std::ifstream stream(file, std::ios::binary);
   if (!stream || std::filesystem::is_directory(file))
     throw InputError({table.file, "", "", "cannot be opened"});
@@ -94,15 +93,17 @@ CsvTable read_csv(const std::filesystem::path& file) {
     if (const std::string text = trimmed(line); text.empty() || text.front() == '#') continue;
     LineOfCells read(line);
     std::vector<std::string>& cells = read.cells;
-    if (!read.fault.empty()) faults.add(table.file, "line " + std::to_string(number), "", read.fault);
+    Faults of_line;
+    if (!read.fault.empty()) of_line.add(table.file, "line " + std::to_string(number), "", read.fault);
     if (table.columns.empty() && is_separated_otherwise(cells))
       throw InputError(
           {table.file, "line " + std::to_string(number), cells.front(), "cells must be separated by commas"});
     if (table.columns.empty()) {
       table.columns = std::move(cells);
-      check_header(table, number, faults);
-    } else if (!read.fault.empty()) {
-      continue;  // its cells may be others than were meant
+      check_header(table, number, of_line);
+      of_line.throw_if_any();
+    } else if (!of_line.empty()) {
+      faults.add(of_line);  // its cells may be others than were meant
     } else if (cells.size() != table.columns.size()) {
       faults.add(table.file, "line " + std::to_string(number), std::to_string(cells.size()) + " cells",
                  "must have " + std::to_string(table.columns.size()) + " like the header");
@@ -111,8 +112,7 @@ CsvTable read_csv(const std::filesystem::path& file) {
       table.lines.push_back(number);
     }
   }
-  if (table.columns.empty()) faults.add(table.file, "", "", "holds no header line");
-  faults.throw_if_any();
+  if (table.columns.empty()) throw InputError({table.file, "", "", "holds no header line"});
   return table;
 }
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/input_error.hpp"
+
 namespace repose {
 
 /// A table read from a CSV file (RFC 4180 quoting, comma separated, header line, '#' lines and blank lines
@@ -19,10 +21,11 @@ struct CsvTable {
   [[nodiscard]] std::optional<std::size_t> column(const std::string& name) const;
 };
 
-/// Throws InputError: file missing, empty, a header whose cells are separated otherwise than by commas, a
-/// column named twice or without a name, quotes that are not closed or stand inside a cell without them, rows
-/// whose number of cells is not the header's (each with its line).
-CsvTable read_csv(const std::filesystem::path& file);
+/// Rows whose quotes are not closed, or stand inside a cell without them, and rows whose number of cells is
+/// not the header's are left out and become faults, each with its line: what is wrong with the others can be
+/// said with them. Throws InputError where there is no header to go by: file missing, empty, cells separated
+/// otherwise than by commas, a column named twice or without a name.
+CsvTable read_csv(const std::filesystem::path& file, Faults& faults);
 
 /// The number that a cell holds in full ("1.5e-3"), or nothing: text, empty, infinite and NaN are not
 /// numbers.

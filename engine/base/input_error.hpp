@@ -39,6 +39,7 @@ class Faults {
   void add(const InputError& error) {
     list_.insert(list_.end(), error.faults().begin(), error.faults().end());
   }
+  void add(const Faults& more) { list_.insert(list_.end(), more.list_.begin(), more.list_.end()); }
   [[nodiscard]] bool empty() const { return list_.empty(); }
   [[nodiscard]] const std::vector<Fault>& list() const { return list_; }
   /// Throws InputError with everything collected, if there is anything.

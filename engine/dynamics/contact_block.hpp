@@ -76,7 +76,7 @@ REPOSE_INLINE void each_half(const std::array<T, N>& fields, std::size_t lanes, 
 template <class T>
 struct BlockSide {
   Triple<Wide<T>> centre;
-  Wide<T> reach;  ///< the radius
+  Wide<T> wide_radius;
   Triple<T> arm, velocity, w;
   T radius, mass, inertia_term;
 };
@@ -101,7 +101,7 @@ REPOSE_INLINE BlockSide<T> load_side(const Bodies& bodies, std::span<const Place
   const auto s = load_four<Wide<T>>(placed.data()->centre, sphere);
   const auto m = load_eight<T>(bodies.motion.data()->velocity, body);
   side.centre = {s[0], s[1], s[2]};
-  side.reach = s[3];
+  side.wide_radius = s[3];
   side.radius = T(s[3]);
   side.arm = arm_of<T>(bodies, body, side.centre);
   side.velocity = {m[0], m[1], m[2]};

@@ -73,7 +73,7 @@ template <RollingModel kModel>
 REPOSE_INLINE ContactGeometry<Single> pair_geometry(const BlockSide<Single>& i, const BlockSide<Single>& j,
                                                     double dt) {
   const Triple<Twin> apart = i.centre - j.centre;
-  const Twin wide_reach = i.reach + j.reach;
+  const Twin wide_reach = i.wide_radius + j.wide_radius;
   const Triple<Single> d = narrow<Single>(apart);
   const Single distance = length(d), reach(wide_reach);
   const Single mass = i.mass + j.mass, masses = i.mass * j.mass;
@@ -158,10 +158,10 @@ REPOSE_INLINE void pair_law(const ForceStep& step, NearList& near, const Touchin
   keep(f, history, kSpring, step, near, touching, first, block, sum);
 }
 
-/// Whether some of `count` offsets are below `first`.
-REPOSE_INLINE bool any_below(const std::int32_t* offset, std::size_t count, std::int32_t first) {
+/// Whether some of kSimdWidth offsets are below `first`.
+REPOSE_INLINE bool any_below(const std::int32_t* offset, std::int32_t first) {
   bool below = false;
-  for (std::size_t lane = 0; lane < count; ++lane) below |= offset[lane] < first;
+  for (std::size_t lane = 0; lane < kSimdWidth; ++lane) below |= offset[lane] < first;
   return below;
 }
 
@@ -208,7 +208,7 @@ REPOSE_INLINE void pair_loads(const ForceStep& step, Bodies& bodies, const Touch
                        *body_j = touching.body_b.data() + first + at;
     Fields8 half_i, half_j;
     std::copy_n(half.begin(), 8, half_i.begin()), std::copy_n(half.begin() + 8, 8, half_j.begin());
-    if (any_below(body_j, kSimdWidth, beyond.first))
+    if (any_below(body_j, beyond.first))
       add_beyond(half_i, body_i, half_j, body_j, bodies, count, beyond);
     else
       add_fields8(half_i, body_i, half_j, body_j, bodies.load.data()->force, count);

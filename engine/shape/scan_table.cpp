@@ -19,15 +19,16 @@ double equivalent_area(double volume, double pi) { return std::cbrt(36.0 * pi * 
 class TableReader {
  public:
   TableReader(const std::filesystem::path& file, std::vector<ScannedParticle>& particles)
-      : csv_(read_csv(file)), particles_(particles) {}
+      : csv_(read_csv(file, faults_)), particles_(particles) {}
 
   void read() {
     area_ = required("surface_area_mm2");
     volume_ = required("volume_mm3");
     for (std::size_t k = 0; k < 3; ++k) extents_[k] = csv_.column(std::array{"x_mm", "y_mm", "z_mm"}[k]);
-    faults_.throw_if_any();
+    if (!missing_.empty()) missing_.add(faults_);
+    missing_.throw_if_any();
     for (std::size_t row = 0; row < csv_.rows.size(); ++row) read_row(row);
-    if (csv_.rows.size() < 3)
+    if (csv_.rows.size() < 3 && faults_.empty())
       faults_.add(csv_.file, "", fmt::format("{} rows", csv_.rows.size()),
                   "a line needs at least three particles");
     faults_.throw_if_any();
@@ -36,7 +37,7 @@ class TableReader {
  private:
   std::size_t required(const std::string& name) {
     const auto column = csv_.column(name);
-    if (!column) faults_.add(csv_.file, "", name, "this column is missing");
+    if (!column) missing_.add(csv_.file, "", name, "this column is missing");
     return column.value_or(0);
   }
 
@@ -87,9 +88,9 @@ class TableReader {
     particles_.push_back(std::move(particle));
   }
 
+  Faults faults_, missing_;
   CsvTable csv_;
   std::vector<ScannedParticle>& particles_;
-  Faults faults_;
   std::set<std::string> names_;
   std::size_t area_ = 0;
   std::size_t volume_ = 0;

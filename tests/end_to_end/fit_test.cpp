@@ -208,6 +208,7 @@ TEST(Fit, EveryFaultOfATableIsNamedWithItsLine) {
       {"e_pp,mu_s,mu_r,angle_deg\n0.1,zero,0.2,30\n0.1,0.3,,30\n0.1,0.3,0.1,steep\n",
        {"line 2", "zero", "line 3", "mu_r", "line 4", "steep"}},
       {"e_pp,mu_s,mu_r,angle_deg\n0.1,0.2,0.3\n0.1,0.2,0.3,30,7\n", {"line 2", "line 3"}},
+      {"e_pp,mu_s,mu_r,angle_deg\n0.1,0.2,0.3\n0.1,zero,0.3,30\n", {"line 2", "line 3", "zero"}},
       {"e_pp,mu_s,mu_r,angle_deg,replicate\n0.1,0.2,0.3,30,1.5\n", {"line 2", "replicate", "1.5"}},
       {"e_pp,mu_s,mu_s,mu_r,angle_deg\n1,1,1,1,1\n", {"twice"}},
       {"e_pp,mu_s,mu_r,angle_deg\n0.3,0.2,0.1,30\n0.3,0.4,0.1,33\n", {"points"}},

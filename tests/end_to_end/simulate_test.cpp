@@ -93,6 +93,17 @@ TEST(Simulate, IsTheSameOnSeveralThreads) {
   EXPECT_NE(none.err.find("--threads: 0: must be between 1 and 16"), std::string::npos) << none.err;
 }
 
+TEST(Simulate, TakesTheCaseBehindItsSettings) {
+  const TemporaryFolder folder;
+  const std::string file = write_case(folder, tiny_case());
+  const Finished before = repose({"simulate", file, "--json", "--set", "mu_s=0.8", "mu_r=0.02"});
+  const Finished behind = repose({"simulate", "--json", "--set", "mu_s=0.8", "mu_r=0.02", file});
+  EXPECT_EQ(without_cpu_time(before.out), without_cpu_time(behind.out)) << behind.err;
+  const Finished no_value = repose({"simulate", file, "--set", "mu_s", "mu_r=0.02"});
+  EXPECT_EQ(no_value.code, 2);
+  EXPECT_NE(no_value.err.find("mu_s"), std::string::npos) << no_value.err;
+}
+
 TEST(Simulate, SetByFactorAndByPointerAreTheSameAndChangeTheRunsKey) {
   const TemporaryFolder folder;
   const std::string file = write_case(folder, tiny_case());

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <exception>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/run/run.hpp"
 #include "fit/errors.hpp"
@@ -30,6 +32,28 @@ std::string usage_fault(const CLI::App& app, const CLI::ParseError& error, int a
   if (argc > 1)
     return fmt::format("repose: there is no option '{}' before the verb; verbs: {}", argv[1], names);
   return fmt::format("repose: {}; verbs: {}\nrepose --help says what they do", error.what(), names);
+}
+
+/// The words of the command line, backwards as CLI11 takes them. Options that take KEY=VALUE … are given
+/// their name before each of them: the next word that is no KEY=VALUE, such as the case, is not theirs.
+std::vector<std::string> words_of(int argc, char** argv) {
+  std::vector<std::string> words;
+  std::string list;  // the option whose values go on
+  for (int k = 1; k < argc; ++k) {
+    const std::string word = argv[k];
+    const bool names_list = word == "--set" || word == "--fix";
+    const bool first = !words.empty() && words.back() == list;
+    const bool goes_on = !first && !word.starts_with('-') && word.find('=') != std::string::npos;
+    if (names_list)
+      list = word;
+    else if (!list.empty() && goes_on)
+      words.push_back(list);
+    else if (!first)
+      list.clear();
+    words.push_back(word);
+  }
+  std::ranges::reverse(words);
+  return words;
 }
 
 /// An angle that no friction within the domain gives: --json names the angles that are within reach.
@@ -61,7 +85,7 @@ int run(int argc, char** argv, bool json) {
   add_shape(app, chosen);
   add_clump(app, chosen);
   try {
-    app.parse(argc, argv);
+    app.parse(words_of(argc, argv));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
     return report_bad_usage(usage_fault(app, error, argc, argv), json);

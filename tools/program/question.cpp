@@ -30,7 +30,8 @@ void fix(fit::Question& question, const std::string& assignment, Faults& faults)
 CLI::Option* add_question(CLI::App& verb, QuestionOptions& options) {
   CLI::Option* angle = verb.add_option("--angle", options.angle, "The measured angle of repose [degrees]");
   verb.add_option("--sigma", options.sigma, "Its standard error [degrees]")->capture_default_str();
-  verb.add_option("--fix", options.fixed, "KEY=VALUE …: what is known besides, such as mu_r=0.1 or e_pp=0.3");
+  verb.add_option("--fix", options.fixed, "KEY=VALUE …: what is known besides, such as mu_r=0.1 or e_pp=0.3")
+      ->allow_extra_args(false);
   verb.add_option("--loss", options.loss, "What the fit makes smallest: the squared errors or the worst one")
       ->check(CLI::IsMember({name_of(fit::Loss::least_squares), name_of(fit::Loss::minimax)}))
       ->capture_default_str();

@@ -97,12 +97,14 @@ fit::Observation observation_of(const Row& row) {
 }  // namespace
 
 std::vector<fit::Observation> read_response_csv(const std::filesystem::path& file) {
-  const CsvTable table = read_csv(file);
-  Faults faults;
+  Faults faults, missing;
+  const CsvTable table = read_csv(file, faults);
   for (const char* name : {"e_pp", "mu_s", "mu_r", "angle_deg"})
-    if (!table.column(name)) faults.add(table.file, "", name, "this column is missing");
-  faults.throw_if_any();
-  if (table.rows.empty()) throw InputError({table.file, "", "", "has no rows below its header"});
+    if (!table.column(name)) missing.add(table.file, "", name, "this column is missing");
+  if (!missing.empty()) missing.add(faults);
+  missing.throw_if_any();
+  if (table.rows.empty() && faults.empty())
+    throw InputError({table.file, "", "", "has no rows below its header"});
 
   std::vector<fit::Observation> points;
   for (std::size_t i = 0; i < table.rows.size(); ++i) points.push_back(observation_of(Row(table, i, faults)));

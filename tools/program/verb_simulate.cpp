@@ -140,7 +140,8 @@ void add_simulate(CLI::App& app, Action& chosen) {
   verb->add_option("CASE", options.case_file, "The case, a JSON file")->required();
   verb->add_option("--set", options.assignments,
                    "KEY=VALUE …: a factor (mu_s=0.4) or a JSON pointer into the case "
-                   "(/numerics/time_step_fraction=0.2)");
+                   "(/numerics/time_step_fraction=0.2)")
+      ->allow_extra_args(false);
   verb->add_option("--seed", options.seed, "Of the random numbers; default: the case's /sweep/seed, or 1");
   verb->add_option("--out", options.out,
                    "Folder for the result, the heap (VTK, dump) and the profile picture");

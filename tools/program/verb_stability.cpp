@@ -105,7 +105,7 @@ void add_stability(CLI::App& app, Action& chosen) {
                            stability, verb);
   verb->add_option("CASE", options.case_file, "The case, a JSON file")->required();
   verb->add_option("--out", options.out, "Folder for the tables, the charts and stability.json")->required();
-  verb->add_option("--set", options.assignments, "KEY=VALUE …, as for simulate");
+  verb->add_option("--set", options.assignments, "KEY=VALUE …, as for simulate")->allow_extra_args(false);
   verb->add_option("--scales", options.scales,
                    "Multiples of the case's stiffness to map; 1 is always among them")
       ->delimiter(',')

@@ -14,7 +14,10 @@ class Csv : public testing::Test {
  protected:
   CsvTable read(const std::string& text) {
     write_text(file(), text);
-    return read_csv(file());
+    Faults faults;
+    CsvTable table = read_csv(file(), faults);
+    faults.throw_if_any();
+    return table;
   }
   std::string fault(const std::string& text) {
     try {
@@ -86,6 +89,15 @@ TEST_F(Csv, NamesEveryRowThatDoesNotFitTheHeader) {
             "t.csv: line 4 = 3 cells: must have 2 like the header");
 }
 
+TEST_F(Csv, KeepsTheOtherRowsSoThatTheirFaultsCanBeNamedToo) {
+  write_text(file(), "a,b\n1\n1,2\n\"x\"y,2\n3,4\n");
+  Faults faults;
+  const CsvTable table = read_csv(file(), faults);
+  EXPECT_EQ(faults.list().size(), 2U);
+  EXPECT_EQ(table.rows, (std::vector<Row>{{"1", "2"}, {"3", "4"}}));
+  EXPECT_EQ(table.lines, (std::vector<int>{3, 5}));
+}
+
 TEST_F(Csv, NamesColumnsWithoutANameAndThoseGivenTwice) {
   EXPECT_EQ(fault("# x\na,,a\n1,2,3\n"),
             "t.csv: line 2: every column needs a name\n"
@@ -112,8 +124,9 @@ TEST_F(Csv, RefusesAFileWithoutAHeader) {
 
 TEST(CsvFile, RefusesAFileThatIsNotThere) {
   const TemporaryFolder folder;
-  EXPECT_THROW(read_csv("no/such.csv"), InputError);
-  EXPECT_THROW(read_csv(folder.path()), InputError);
+  Faults faults;
+  EXPECT_THROW(read_csv("no/such.csv", faults), InputError);
+  EXPECT_THROW(read_csv(folder.path(), faults), InputError);
 }
 
 TEST(ParseNumber, TakesWhatIsANumberInFull) {

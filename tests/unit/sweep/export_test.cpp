@@ -13,7 +13,10 @@ class ExportTest : public testing::Test {
  protected:
   CsvTable exported() const {
     export_csv(folder_ / "study", folder_ / "table.csv");
-    return read_csv(folder_ / "table.csv");
+    Faults faults;
+    CsvTable table = read_csv(folder_ / "table.csv", faults);
+    faults.throw_if_any();
+    return table;
   }
   void make(const Json& design, const repose::sweep::Run& run = fake_run) const {
     SweepOptions options = with_fake_run();
