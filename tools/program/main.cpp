@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,15 +36,17 @@ std::string usage_fault(const CLI::App& app, const CLI::ParseError& error, int a
 }
 
 /// The words of the command line, backwards as CLI11 takes them. Options that take KEY=VALUE … are given
-/// their name before each of them: the next word that is no KEY=VALUE, such as the case, is not theirs.
+/// their name before each of them; a word behind them that names a file or a folder, such as the case, is not
+/// theirs.
 std::vector<std::string> words_of(int argc, char** argv) {
   std::vector<std::string> words;
-  std::string list;  // the option whose values go on
+  std::string list;              // the option whose values go on
+  std::error_code no_such_name;  // a value may be longer than any file's name
   for (int k = 1; k < argc; ++k) {
     const std::string word = argv[k];
     const bool names_list = word == "--set" || word == "--fix";
     const bool first = !words.empty() && words.back() == list;
-    const bool goes_on = !first && !word.starts_with('-') && word.find('=') != std::string::npos;
+    const bool goes_on = !first && !word.starts_with('-') && !std::filesystem::exists(word, no_such_name);
     if (names_list)
       list = word;
     else if (!list.empty() && goes_on)

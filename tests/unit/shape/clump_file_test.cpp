@@ -165,7 +165,7 @@ TEST_F(ClumpFile, TakesEveryShippedClump) {
     EXPECT_NO_THROW(read_clump(entry.path())) << entry.path();
     ++read;
   }
-  EXPECT_EQ(read, 12);
+  EXPECT_EQ(read, 14);
 }
 
 TEST_F(ClumpFile, RefusesWhatIsNotAClump) {
