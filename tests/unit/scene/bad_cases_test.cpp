@@ -21,11 +21,6 @@ const BadCase kBadCases[] = {
     // The document as a whole
     {"SchemaMissing", R"({"schema": null})", {"case.json: /schema: is missing"}},
     {"SchemaOfAnotherVersion", R"({"schema": 2})", {"case.json: /schema = 2: must be 1"}},
-    {"SpheresTooSmallForSinglePrecision",
-     R"({"numerics": {"arithmetic": "mixed"}, "particles": {"size_classes": [{"volume_mm3": [0.0003, 200], "percent": 100}]}})",
-     {"case.json: /numerics/arithmetic = \"mixed\": needs spheres of 0.05 mm radius at least; the smallest "
-      "has "
-      "0.0415 mm"}},
     {"SchemaAsText", R"({"schema": "1"})", {"case.json: /schema = \"1\": must be a whole number"}},
     {"TitleNotText", R"({"title": 5})", {"case.json: /title = 5: must be a text"}},
     {"UnknownSection",
@@ -262,6 +257,11 @@ const BadCase kBadCases[] = {
     {"RollingTorqueUnknown",
      R"({"contact": {"rolling_torque": "none"}})",
      {"case.json: /contact/rolling_torque = \"none\": must be one of \"limited\", \"unlimited\""}},
+    {"SpheresTooSmallForSinglePrecision",
+     R"({"numerics": {"arithmetic": "mixed"},
+         "particles": {"size_classes": [{"volume_mm3": [0.003, 200], "percent": 100}]}})",
+     {"case.json: /numerics/arithmetic = \"mixed\": needs spheres of 0.1 mm radius at least; "
+      "the smallest has 0.0895 mm"}},
     {"IntegratorUnknown",
      R"({"numerics": {"integrator": "euler"}})",
      {"case.json: /numerics/integrator = \"euler\": must be one of \"symplectic_euler\", "
