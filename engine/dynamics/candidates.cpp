@@ -1,7 +1,11 @@
 #include "engine/dynamics/candidates.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstring>
 #include <utility>
+
+#include "engine/dynamics/simd_records.hpp"
 
 namespace repose {
 
@@ -11,7 +15,7 @@ void CandidateArrays::put_last_into(CandidateSlot& slot, std::size_t begin) {
     slot = added;
     return;
   }
-  slot.count = added.count;
+  slot.count = added.count, slot.near = added.near;
   for (auto* array : {&a, &b}) {
     std::copy(array->begin() + added.begin, array->end(), array->begin() + slot.begin);
     array->resize(begin);
@@ -66,15 +70,37 @@ void NearList::gather(const CandidateArrays& candidates, std::span<const Candida
   clear();
   for (std::size_t group = 0; group < slots.size(); ++group) {
     const CandidateSlot& slot = slots[group];
-    if (slot.count == 0) continue;
-    make_room(count + slot.count + 2 * kBlock);
-    for_each_flag(candidates.near, slot.begin, slot.begin + slot.count,
-                  [&](std::size_t c) { set(count++, candidates.a[c], candidates.b[c], bodies[group]); });
+    if (slot.near == 0) continue;
+    make_room(count + slot.near + 2 * kBlock);
+    take(candidates, slot, bodies[group]);
   }
   make_room(count + kBlock);
   touching.assign((count + kBlock - 1) / kBlock, 0);
   for (std::size_t k = count; k < blocks() * kBlock; ++k) set(k, 0, 0, {});
   remember(old);
+}
+
+/// Eight candidates at a time, except at the end of the arrays.
+void NearList::take(const CandidateArrays& candidates, const CandidateSlot& slot, const BodyPair& bodies) {
+  const std::size_t begin = slot.begin, end = begin + slot.count;
+  const std::int32_t line_a = kLine * bodies.i, line_b = of_walls ? 0 : kLine * bodies.j;
+  const std::size_t whole = std::min(end, candidates.count() - std::min(candidates.count(), kBlock - 1));
+  std::size_t first = begin;
+  for (; first < whole; first += kBlock) {
+    std::uint64_t flags;
+    std::memcpy(&flags, candidates.near.data() + first, kBlock);
+    unsigned bits = bits_of(flags);
+    if (end - first < kBlock) bits &= (1U << (end - first)) - 1;
+    if (bits == 0) continue;
+    const KeptLanes kept(bits);
+    kept.copy(candidates.a.data() + first, sphere_a.data() + count);
+    kept.copy(candidates.b.data() + first, sphere_b.data() + count);
+    std::fill_n(body_a.data() + count, kBlock, line_a);
+    std::fill_n(body_b.data() + count, kBlock, line_b);
+    count += static_cast<std::size_t>(std::popcount(bits));
+  }
+  for (; first < end; ++first)
+    if (candidates.near[first] != 0) set(count++, candidates.a[first], candidates.b[first], bodies);
 }
 
 void NearList::find_places(std::span<const std::int32_t> place_of) {

@@ -31,7 +31,20 @@ struct alignas(32) RollingRecord {
 /// Where the candidates of a pair of bodies, or of a body with walls, lie in CandidateArrays.
 struct CandidateSlot {
   std::uint32_t begin = 0, count = 0, room = 0;
+  std::uint32_t near = 0;  ///< how many of them are
 };
+
+/// Eight flags, a byte each, 0 or 1, the first in the lowest byte, from eight bits and back. To spread bits,
+/// byte k keeps bit k of a copy of all, and the sum carries it to the byte's top. To collect them, flag k is
+/// multiplied to bit 56 + k; no two products of a flag and a bit of the factor meet.
+static_assert(std::endian::native == std::endian::little);
+inline std::uint64_t flags_of(unsigned bits) {
+  const std::uint64_t spread = (0x0101010101010101U * std::uint64_t{bits & 0xffU}) & 0x8040201008040201U;
+  return ((spread + 0x7f7f7f7f7f7f7f7fU) >> 7) & 0x0101010101010101U;
+}
+inline unsigned bits_of(std::uint64_t flags) {
+  return static_cast<unsigned>((flags * 0x0102040810204080U) >> 56);
+}
 
 /// Candidates for contact as flat arrays. There are many times more of them than contacts, so they hold
 /// nothing else: what contacts remember is in the NearList. Those of one slot lie side by side, slots
@@ -45,7 +58,9 @@ struct CandidateArrays {
   void clear() { a.clear(), b.clear(), near.clear(); }
   [[nodiscard]] CandidateSlot slot_from(std::size_t begin) const {
     const auto n = static_cast<std::uint32_t>(count() - begin);
-    return {static_cast<std::uint32_t>(begin), n, n};
+    const auto is_near = std::ranges::count_if(near.begin() + static_cast<std::ptrdiff_t>(begin), near.end(),
+                                               [](std::uint8_t flag) { return flag != 0; });
+    return {static_cast<std::uint32_t>(begin), n, n, static_cast<std::uint32_t>(is_near)};
   }
   /// Adds a candidate; near = 0: nobody has looked at it yet.
   void push(std::int32_t first, std::int32_t second, std::uint8_t is_near = 0) {
@@ -57,9 +72,17 @@ struct CandidateArrays {
   void close_up(std::span<CandidateSlot> slots);
   /// Whether most of the arrays belongs to none of the slots.
   [[nodiscard]] bool is_loose(std::span<const CandidateSlot> slots) const;
-  /// `near` of the candidates first … first + n − 1, n ≤ 8, from the lowest bits.
-  void set_near(std::size_t first, std::size_t n, unsigned bits) {
-    for (std::size_t k = 0; k < n; ++k) near[first + k] = (bits >> k) & 1U;
+  /// `near` of the candidates first … first + n − 1 of a slot, n ≤ 8, from the lowest bits; those that are add
+  /// to the slot's.
+  void set_near(CandidateSlot& slot, std::size_t first, std::size_t n, unsigned bits) {
+    const std::uint64_t flags = flags_of(bits);
+    if (n == 8) {  // a copy of fixed size is one instruction
+      std::memcpy(near.data() + first, &flags, 8);
+    } else {
+      std::memcpy(near.data() + first, &flags, n);
+      bits &= (1U << n) - 1;
+    }
+    slot.near += static_cast<std::uint32_t>(std::popcount(bits));
   }
 };
 
@@ -129,6 +152,7 @@ struct NearList {
 
  private:
   void make_room(std::size_t entries);
+  void take(const CandidateArrays& candidates, const CandidateSlot& slot, const BodyPair& bodies);
   void set(std::size_t k, std::int32_t a, std::int32_t b, const BodyPair& bodies);
   void remember(const NearList& old);
   void copy_history(const NearList& from, std::size_t at, std::size_t to) {

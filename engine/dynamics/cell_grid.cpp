@@ -49,23 +49,40 @@ int CellGrid::along(int axis, double coordinate) const {
   return std::clamp(static_cast<int>((coordinate - low_[a]) / edge_), 0, cells_[a] - 1);
 }
 
-void CellGrid::append_pairs_of(std::size_t i, std::vector<BodyPair>& pairs) const {
-  const double x = spheres_.x[i], y = spheres_.y[i], z = spheres_.z[i], radius = spheres_.radius[i];
-  const auto first_pair = static_cast<std::ptrdiff_t>(pairs.size());
+template <class Visit>
+void CellGrid::each_near(std::size_t i, Visit visit) const {
+  const double x = spheres_.x[i], y = spheres_.y[i], z = spheres_.z[i], reach_i = spheres_.radius[i] + skin_;
   const int cx = along(0, x), cy = along(1, y), cz = along(2, z);
   for (int nz = std::max(cz - 1, 0); nz <= std::min(cz + 1, cells_[2] - 1); ++nz)
     for (int ny = std::max(cy - 1, 0); ny <= std::min(cy + 1, cells_[1] - 1); ++ny) {
       const auto first = static_cast<std::size_t>(index(std::max(cx - 1, 0), ny, nz));
       const auto last = static_cast<std::size_t>(index(std::min(cx + 1, cells_[0] - 1), ny, nz));
       for (int k = begin_[first]; k < begin_[last + 1]; ++k) {
-        const int other = order_[static_cast<std::size_t>(k)];
-        const auto j = static_cast<std::size_t>(other);
-        if (j >= i) continue;
+        const auto j = static_cast<std::size_t>(order_[static_cast<std::size_t>(k)]);
         const double dx = x - spheres_.x[j], dy = y - spheres_.y[j], dz = z - spheres_.z[j];
-        const double reach = radius + spheres_.radius[j] + skin_;
-        if (dx * dx + dy * dy + dz * dz < reach * reach) pairs.push_back({static_cast<int>(i), other});
+        const double reach = reach_i + spheres_.radius[j];
+        if (dx * dx + dy * dy + dz * dz < reach * reach) visit(j);
       }
     }
+}
+
+void CellGrid::append_pairs_of(std::size_t i, std::vector<BodyPair>& pairs) const {
+  const auto first_pair = static_cast<std::ptrdiff_t>(pairs.size());
+  each_near(i, [&](std::size_t j) {
+    if (j < i) pairs.push_back({static_cast<int>(i), static_cast<int>(j)});
+  });
+  std::sort(pairs.begin() + first_pair, pairs.end());
+}
+
+void CellGrid::append_pairs_of(std::size_t i, std::span<const std::uint8_t> flags,
+                               std::vector<BodyPair>& pairs, std::vector<BodyPair>& above) const {
+  const auto first_pair = static_cast<std::ptrdiff_t>(pairs.size());
+  each_near(i, [&](std::size_t j) {
+    if (j < i)
+      pairs.push_back({static_cast<int>(i), static_cast<int>(j)});
+    else if (flags[j] == 0)  // that of i is 1
+      above.push_back({static_cast<int>(j), static_cast<int>(i)});
+  });
   std::sort(pairs.begin() + first_pair, pairs.end());
 }
 

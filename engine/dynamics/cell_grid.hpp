@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -29,8 +30,14 @@ class CellGrid {
 
   /// Appends the pairs of sphere i with spheres of smaller numbers, sorted.
   void append_pairs_of(std::size_t i, std::vector<BodyPair>& pairs) const;
+  /// The same, and to `above` the pairs with spheres of greater numbers whose flag is 0, in any order.
+  void append_pairs_of(std::size_t i, std::span<const std::uint8_t> flags, std::vector<BodyPair>& pairs,
+                       std::vector<BodyPair>& above) const;
 
  private:
+  /// visit(j) for every sphere j near sphere i, which itself is among them.
+  template <class Visit>
+  void each_near(std::size_t i, Visit visit) const;
   void choose_cells(double edge);
   void sort_into_cells();
   [[nodiscard]] int along(int axis, double coordinate) const;

@@ -26,7 +26,7 @@ namespace repose {
 /// then have moved against each other by more than their lists allow (Tether): most neighbours in a flow go
 /// the same way.
 ///
-/// 1: a share is skins.bodies/2; all bodies are listed at once.
+/// 1: a share is skins.bodies/2; the neighbours of bodies that have used it up, or nearly so, are found anew.
 /// 2: a share is skins.spheres/4; the candidates of a pair are right while the two have moved against each
 ///    other by skins.spheres, and those at walls while the body has travelled skins.spheres/2.
 /// 3: a share is what the body travels in some steps at its present pace. A candidate is near unless its
@@ -126,10 +126,13 @@ class ContactList {
     bool walls = false;   ///< the wall candidates of all bodies
   };
   void list_candidates(const Bodies& bodies, std::span<const Wall> walls, Relist anew, Crew& crew);
-  void flag_moved(const Bodies& bodies);
-  static void find_pairs(const CellGrid& grid, Section& section);
+  void share_out_pairs(const Bodies& bodies);
+  void flag_searched(const Bodies& bodies);
+  void search(const CellGrid& grid, Section& section) const;
+  [[nodiscard]] std::vector<BodyPair> found_for(const Section& section) const;
+  void take_found(Section& section);
   [[nodiscard]] bool in_reach(const Bodies& bodies, const BodyPair& pair) const;
-  void list_pairs(const Bodies& bodies, bool all, Section& section);
+  void list_pairs(const Bodies& bodies, Section& section);
   void list_walls(const Bodies& bodies, std::span<const Wall> walls, bool all, Section& section);
   void list_walls_of(const Bodies& bodies, std::size_t i, std::span<const Wall> walls,
                      CandidateArrays& to) const;
@@ -141,7 +144,6 @@ class ContactList {
   void share_out(const Bodies& bodies, const Section& section);
   void share_out_walls(std::span<const Wall> walls);
   void look_at(const Bodies& bodies, bool all_walls, Section& section);
-  void look_at_pair(const Bodies& bodies, Section& section, std::size_t pair) const;
   void find_near(const Bodies& bodies, Section& section, std::size_t pair, double slack) const;
   void look_at_walls(const Bodies& bodies, Section& section, std::size_t i) const;
   void find_places(const Bodies& bodies, Crew& crew);
@@ -161,6 +163,7 @@ class ContactList {
   Until until_;
   std::vector<Wall> listed_walls_;  ///< as of the last listing
   std::vector<Wall> looked_walls_;  ///< as of the last look at all of them
+  std::vector<TetherEnd> ends_;     ///< of the bodies, for the level under way
   double wall_share_ = 0.0;         ///< what a wall may move until the next look [m]
 
   /// Spheres of all bodies are numbered body by body, from 1 on: of each body the first, and one past the
@@ -173,7 +176,7 @@ class ContactList {
   using Flag = std::uint8_t;
   static void raise(Flag& flag);
   std::vector<Flag> is_needed_{0};  ///< spheres
-  std::vector<Flag> moved_;         ///< bodies to list anew
+  std::vector<Flag> is_searched_;   ///< bodies whose pairs are found anew
   std::vector<Flag> is_looked_;
 };
 

@@ -1,7 +1,7 @@
 // Levels 1 and 2 of ContactList: pairs of bodies and their candidates.
 
-#include <cmath>
-#include <optional>
+#include <algorithm>
+#include <iterator>
 
 #include "engine/dynamics/contact_list.hpp"
 
@@ -18,16 +18,17 @@ constexpr double kShare = 0.25;
 void ContactList::list_candidates(const Bodies& bodies, std::span<const Wall> walls, Relist anew,
                                   Crew& crew) {
   ++updates_;
-  flag_moved(bodies);
-  std::optional<CellGrid> grid;
-  if (anew.bodies) grid.emplace(search_spheres(bodies), skins_.bodies);
+  if (anew.bodies) {
+    flag_searched(bodies);
+    const CellGrid grid(search_spheres(bodies), skins_.bodies);
+    each_section(crew, [&](Section& section) { search(grid, section); });
+    each_section(crew, [&](Section& section) { take_found(section); });
+  }
+  share_out_pairs(bodies);
   each_section(crew, [&](Section& section) {
-    if (grid) find_pairs(*grid, section);
-    list_pairs(bodies, anew.bodies, section);
+    list_pairs(bodies, section);
     list_walls(bodies, walls, anew.walls, section);
   });
-  if (anew.bodies)
-    for (std::size_t i = 0; i < bodies.count; ++i) until_.bodies[i] = bodies.travel[i] + 0.5 * skins_.bodies;
 }
 
 SearchSpheres ContactList::search_spheres(const Bodies& bodies) {
@@ -37,62 +38,95 @@ SearchSpheres ContactList::search_spheres(const Bodies& bodies) {
   return {first(bodies.x), first(bodies.y), first(bodies.z), first(bodies.reach)};
 }
 
-/// Bodies that have used more than half of their share are looked over with those that have used all of it,
+/// Bodies that have used more than half of their share get a new one with those that have used all of it,
 /// so that this comes in batches.
-void ContactList::flag_moved(const Bodies& bodies) {
+void ContactList::share_out_pairs(const Bodies& bodies) {
   const double share = kShare * skins_.spheres;
-  moved_.resize(bodies.count);
+  ends_.resize(bodies.count);
   for (std::size_t i = 0; i < bodies.count; ++i) {
-    moved_[i] = bodies.travel[i] > until_.spheres[i] - 0.5 * share;
-    if (moved_[i]) until_.spheres[i] = bodies.travel[i] + share;
+    double& until = until_.spheres[i];
+    if (bodies.travel[i] > until - 0.5 * share) until = bodies.travel[i] + share;
+    ends_[i] = {bodies, i, until - bodies.travel[i]};
   }
 }
 
-/// Pairs of bodies anew; those that there were before keep what is known of them.
-void ContactList::find_pairs(const CellGrid& grid, Section& section) {
-  Section::Lists &lists = section.lists, &old = section.old;
-  std::swap(lists.body_pairs, old.body_pairs);
-  std::swap(lists.listed, old.listed);
-  std::swap(lists.looked, old.looked);
-  std::swap(lists.pair_slots, old.pair_slots);
-  lists.body_pairs.clear();
-  for (std::size_t i = section.first; i < section.last; ++i) grid.append_pairs_of(i, lists.body_pairs);
-  lists.listed.assign(lists.body_pairs.size(), {});
-  lists.looked.assign(lists.body_pairs.size(), {});
-  lists.pair_slots.assign(lists.body_pairs.size(), {});
-  std::size_t was = 0;
-  for (std::size_t p = 0; p < lists.body_pairs.size(); ++p) {
-    while (was < old.body_pairs.size() && old.body_pairs[was] < lists.body_pairs[p]) ++was;
-    if (was == old.body_pairs.size() || old.body_pairs[was] != lists.body_pairs[p]) continue;
-    lists.listed[p] = old.listed[was];
-    lists.looked[p] = old.looked[was];
-    lists.pair_slots[p] = old.pair_slots[was];
+/// The same on level 1. A body may travel half of the skin of bodies, so that two that were beyond it when
+/// either was searched last have not met before one of them is searched again.
+void ContactList::flag_searched(const Bodies& bodies) {
+  const double share = 0.5 * skins_.bodies;
+  is_searched_.resize(bodies.count);
+  for (std::size_t i = 0; i < bodies.count; ++i) {
+    is_searched_[i] = bodies.travel[i] > until_.bodies[i] - 0.5 * share;
+    if (is_searched_[i]) until_.bodies[i] = bodies.travel[i] + share;
   }
-  section.changed = true;
+}
+
+/// Of two bodies that are both searched, the pair is found by the one of the greater number.
+void ContactList::search(const CellGrid& grid, Section& section) const {
+  section.found.clear();
+  section.found_above.clear();
+  for (std::size_t i = section.first; i < section.last; ++i) {
+    if (is_searched_[i] == 0) continue;
+    grid.append_pairs_of(i, is_searched_, section.found, section.found_above);
+  }
+  std::ranges::sort(section.found_above);
+}
+
+/// Pairs of a section that bodies of sections before it or its own have found, sorted.
+std::vector<BodyPair> ContactList::found_for(const Section& section) const {
+  const BodyPair begin{static_cast<int>(section.first), 0}, end{static_cast<int>(section.last), 0};
+  std::vector<BodyPair> above, all;
+  for (const Section& from : sections) {
+    if (from.first >= section.last) break;
+    const auto first = std::ranges::lower_bound(from.found_above, begin);
+    above.insert(above.end(), first, std::lower_bound(first, from.found_above.end(), end));
+  }
+  std::ranges::sort(above);
+  all.reserve(section.found.size() + above.size());
+  std::ranges::merge(section.found, above, std::back_inserter(all));
+  return all;
+}
+
+/// Pairs of bodies that are searched become those that were found; what is known of a pair stays.
+void ContactList::take_found(Section& section) {
+  Section::Lists &lists = section.lists, &old = section.old;
+  const std::vector<BodyPair> found = found_for(section);
+  const auto is_searched = [this](const BodyPair& pair) {
+    return is_searched_[static_cast<std::size_t>(pair.i)] != 0 ||
+           is_searched_[static_cast<std::size_t>(pair.j)] != 0;
+  };
+  if (found.empty() && std::ranges::none_of(lists.body_pairs, is_searched)) return;
+  lists.swap_pairs(old);
+  lists.clear_pairs();
+  auto next = found.begin();
+  for (std::size_t was = 0; was < old.body_pairs.size(); ++was) {
+    const BodyPair& pair = old.body_pairs[was];
+    for (; next != found.end() && *next < pair; ++next) lists.add_pair(*next);
+    const bool again = next != found.end() && *next == pair;
+    if (again) ++next;
+    if (again || !is_searched(pair))
+      lists.add_pair(pair, old.listed[was], old.looked[was], old.pair_slots[was]);
+    else
+      section.changed |= old.pair_slots[was].count != 0;
+  }
+  for (; next != found.end(); ++next) lists.add_pair(*next);
 }
 
 /// Pairs whose bodies may come nearer to each other than their candidates know, before they are looked over
-/// again.
-/// @param all  also pairs neither of whose bodies has moved
-void ContactList::list_pairs(const Bodies& bodies, bool all, Section& section) {
+/// again, and those that have been found just now.
+void ContactList::list_pairs(const Bodies& bodies, Section& section) {
   Section::Lists& lists = section.lists;
   Reaching of_i, of_j;
-  for (std::size_t p = 0; p < lists.body_pairs.size(); ++p) {
+  for_each_let_go(lists.listed, lists.body_pairs, ends_, [&](std::size_t p) {
     const BodyPair& pair = lists.body_pairs[p];
-    const auto i = static_cast<std::size_t>(pair.i), j = static_cast<std::size_t>(pair.j);
-    if (!all && !moved_[i] && !moved_[j]) continue;
-    const RelativePose pose(bodies, pair);
-    const double shares = until_.spheres[i] - bodies.travel[i] + until_.spheres[j] - bodies.travel[j];
-    if (lists.listed[p].holds(pose, shares + kRounding)) continue;
-    lists.listed[p] = {pose, skins_.spheres};
-    lists.looked[p] = {};
+    lists.listed[p] = {bodies, pair, skins_.spheres};
     const std::size_t begin = lists.pairs.count();
     if (in_reach(bodies, pair)) list_pair(bodies, pair, of_i, of_j, lists.pairs);
+    section.changed |= lists.pair_slots[p].near != 0;
     lists.pairs.put_last_into(lists.pair_slots[p], begin);
-    is_looked_[i] = 1;
-    section.changed = true;
-  }
-  if (all || lists.pairs.is_loose(lists.pair_slots)) lists.pairs.close_up(lists.pair_slots);
+    lists.looked[p] = lists.pair_slots[p].count == 0 ? Tether::endless() : Tether();
+  });
+  if (lists.pairs.is_loose(lists.pair_slots)) lists.pairs.close_up(lists.pair_slots);
 }
 
 bool ContactList::in_reach(const Bodies& bodies, const BodyPair& pair) const {

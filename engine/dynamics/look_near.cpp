@@ -24,6 +24,7 @@ void ContactList::look_near(const Bodies& bodies, std::span<const Wall> walls, b
   ++looks_;
   ++changes_;
   if (all_walls) share_out_walls(walls);
+  ends_.resize(bodies.count);
   each_section(crew, [&](const Section& section) {
     share_out(bodies, section);
     for (const Section::Needed& needed : section.needed)
@@ -41,9 +42,11 @@ void ContactList::share_out(const Bodies& bodies, const Section& section) {
   const double least = kLeastShare * skins_.spheres, most = kMostShare * skins_.spheres;
   for (std::size_t i = section.first; i < section.last; ++i) {
     is_looked_[i] |= !(bodies.travel[i] + kTogether * bodies.pace[i] <= until_.near[i]);
-    if (!is_looked_[i]) continue;
-    const double share = std::clamp(kLookSteps * bodies.pace[i], least, most);
-    until_.near[i] = std::min({bodies.travel[i] + share, until_.spheres[i], until_.bodies[i]});
+    if (is_looked_[i]) {
+      const double share = std::clamp(kLookSteps * bodies.pace[i], least, most);
+      until_.near[i] = std::min({bodies.travel[i] + share, until_.spheres[i], until_.bodies[i]});
+    }
+    ends_[i] = {bodies, i, left(bodies, i)};
   }
 }
 
@@ -57,34 +60,26 @@ void ContactList::share_out_walls(std::span<const Wall> walls) {
 }
 
 void ContactList::look_at(const Bodies& bodies, bool all_walls, Section& section) {
-  for (std::size_t p = 0; p < section.lists.body_pairs.size(); ++p) {
-    const auto [i, j] = section.lists.body_pairs[p];
-    if (section.lists.pair_slots[p].count == 0) continue;
-    if (is_looked_[static_cast<std::size_t>(i)] || is_looked_[static_cast<std::size_t>(j)])
-      look_at_pair(bodies, section, p);
-  }
+  Section::Lists& lists = section.lists;
+  for_each_let_go(lists.looked, lists.body_pairs, ends_, [&](std::size_t p) {
+    const auto [i, j] = lists.body_pairs[p];
+    const double slack =
+        left(bodies, static_cast<std::size_t>(i)) + left(bodies, static_cast<std::size_t>(j)) + kRounding;
+    lists.looked[p] = {bodies, {i, j}, slack};
+    const bool were_near = lists.pair_slots[p].near != 0;
+    find_near(bodies, section, p, slack);
+    section.changed |= were_near || lists.pair_slots[p].near != 0;
+  });
   for (std::size_t i = section.first; i < section.last; ++i)
     if (all_walls || is_looked_[i]) look_at_walls(bodies, section, i);
-}
-
-/// Nothing is to be done where the two have hardly moved against each other since their last look.
-void ContactList::look_at_pair(const Bodies& bodies, Section& section, std::size_t pair) const {
-  const auto [i, j] = section.lists.body_pairs[pair];
-  const double shares =
-      left(bodies, static_cast<std::size_t>(i)) + left(bodies, static_cast<std::size_t>(j)) + kRounding;
-  const RelativePose pose(bodies, {i, j});
-  Tether& looked = section.lists.looked[pair];
-  if (looked.holds(pose, shares)) return;
-  looked = {pose, shares};
-  find_near(bodies, section, pair, shares);
-  section.changed = true;
 }
 
 /// All candidates of a pair of bodies, a vector at a time: their spheres are placed in registers, since most
 /// are not near.
 void ContactList::find_near(const Bodies& bodies, Section& section, std::size_t pair, double slack) const {
   CandidateArrays& candidates = section.lists.pairs;
-  const CandidateSlot& slot = section.lists.pair_slots[pair];
+  CandidateSlot& slot = section.lists.pair_slots[pair];
+  slot.near = 0;
   const std::size_t begin = slot.begin, end = begin + slot.count;
   const auto i = static_cast<std::size_t>(section.lists.body_pairs[pair].i),
              j = static_cast<std::size_t>(section.lists.body_pairs[pair].j);
@@ -111,19 +106,20 @@ void ContactList::find_near(const Bodies& bodies, Section& section, std::size_t 
     const SimdReal dx = a[0] - b[0] + apart.x(), dy = a[1] - b[1] + apart.y(), dz = a[2] - b[2] + apart.z();
     const SimdReal reach = a[3] + b[3] + SimdReal(slack);
     const unsigned near = less_bits(dx * dx + dy * dy + dz * dz, reach * reach);
-    candidates.set_near(first, std::min(kSimdWidth, end - first), near);
+    candidates.set_near(slot, first, std::min(kSimdWidth, end - first), near);
   }
 }
 
 void ContactList::look_at_walls(const Bodies& bodies, Section& section, std::size_t i) const {
   const double share = left(bodies, i) + wall_share_ + kRounding;
   CandidateArrays& candidates = section.lists.walls;
-  const CandidateSlot& slot = section.lists.wall_slots[i - section.first];
+  CandidateSlot& slot = section.lists.wall_slots[i - section.first];
   section.changed |= slot.count != 0;
+  slot.near = 0;
   for (std::size_t c = slot.begin; c < slot.begin + slot.count; ++c) {
     const PlacedSphere sphere = placed_now(bodies, i, static_cast<std::size_t>(candidates.a[c]));
     const Wall& wall = looked_walls_[static_cast<std::size_t>(candidates.b[c])];
-    candidates.set_near(c, 1, within_reach(wall, Vec3(sphere.centre), sphere.radius + share));
+    candidates.set_near(slot, c, 1, within_reach(wall, Vec3(sphere.centre), sphere.radius + share));
   }
 }
 

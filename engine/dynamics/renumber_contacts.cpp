@@ -103,10 +103,7 @@ void ContactList::move_candidates(const Renumbering& to, const Section& from) {
     for (std::size_t c = slot.begin; c < slot.begin + slot.count; ++c)
       lists.pairs.push(to.moved(from.old.pairs.a[c], static_cast<std::size_t>(i)),
                        to.moved(from.old.pairs.b[c], static_cast<std::size_t>(j)), from.old.pairs.near[c]);
-    lists.body_pairs.push_back({body(i), body(j)});
-    lists.listed.push_back(from.old.listed[p]);
-    lists.looked.push_back(from.old.looked[p]);
-    lists.pair_slots.push_back(lists.pairs.slot_from(begin));
+    lists.add_pair({body(i), body(j)}, from.old.listed[p], from.old.looked[p], lists.pairs.slot_from(begin));
   }
   // Bodies that have been added since the last listing have no candidates yet, and are behind all others.
   for (std::size_t k = 0; k < from.old.wall_slots.size(); ++k) {

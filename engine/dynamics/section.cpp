@@ -4,11 +4,30 @@
 
 namespace repose {
 
-void Section::Lists::clear() {
+void Section::Lists::clear_pairs() {
   body_pairs.clear();
   listed.clear();
   looked.clear();
   pair_slots.clear();
+}
+
+void Section::Lists::swap_pairs(Lists& other) {
+  body_pairs.swap(other.body_pairs);
+  listed.swap(other.listed);
+  looked.swap(other.looked);
+  pair_slots.swap(other.pair_slots);
+}
+
+void Section::Lists::add_pair(const BodyPair& pair, const Tether& listed_then, const Tether& looked_then,
+                              const CandidateSlot& slot) {
+  body_pairs.push_back(pair);
+  listed.push_back(listed_then);
+  looked.push_back(looked_then);
+  pair_slots.push_back(slot);
+}
+
+void Section::Lists::clear() {
+  clear_pairs();
   pairs.clear();
   wall_slots.clear();
   walls.clear();

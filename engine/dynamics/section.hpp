@@ -29,6 +29,10 @@ struct Section {
     std::vector<CandidateSlot> wall_slots;  ///< of each body of the section
     CandidateArrays walls;
     void clear();
+    void clear_pairs();  ///< all but their candidates
+    void swap_pairs(Lists& other);
+    void add_pair(const BodyPair& pair, const Tether& listed_then = {}, const Tether& looked_then = {},
+                  const CandidateSlot& slot = {});
   };
 
   /// @param rolls  contacts remember a rolling spring
@@ -53,6 +57,9 @@ struct Section {
 
   bool changed =
       false;  ///< candidates, or which of them are near, since near_pairs and near_walls were gathered
+
+  // Pairs of bodies that a search has found: of this section, sorted, and of greater numbers.
+  std::vector<BodyPair> found, found_above;
 
   // As they were before the change under way.
   Lists old;  ///< only what the change needs
