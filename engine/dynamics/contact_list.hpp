@@ -27,8 +27,9 @@ namespace repose {
 /// the same way.
 ///
 /// 1: a share is skins.bodies/2; the neighbours of bodies that have used it up, or nearly so, are found anew.
-/// 2: a share is skins.spheres/4; the candidates of a pair are right while the two have moved against each
-///    other by skins.spheres, and those at walls while the body has travelled skins.spheres/2.
+/// 2: a share is skins.spheres/4, more for a fast body; the candidates of a pair are right while the two have
+///    moved against each other by skins.spheres, and those at walls while the body has travelled
+///    skins.spheres/2. Of a fast body these are longer by twice what its share is.
 /// 3: a share is what the body travels in some steps at its present pace. A candidate is near unless its
 ///    gap is beyond what both bodies have left of their shares. At rest a look lasts thousands of steps.
 ///
@@ -126,17 +127,19 @@ class ContactList {
     bool walls = false;   ///< the wall candidates of all bodies
   };
   void list_candidates(const Bodies& bodies, std::span<const Wall> walls, Relist anew, Crew& crew);
+  /// Of its candidates: skins.spheres, and the more if it has a longer share.
+  [[nodiscard]] double skin_of(std::size_t i) const { return skins_.spheres + 2.0 * more_[i]; }
   void share_out_pairs(const Bodies& bodies);
   void flag_searched(const Bodies& bodies);
   void search(const CellGrid& grid, Section& section) const;
   [[nodiscard]] std::vector<BodyPair> found_for(const Section& section) const;
   void take_found(Section& section);
-  [[nodiscard]] bool in_reach(const Bodies& bodies, const BodyPair& pair) const;
+  [[nodiscard]] bool in_reach(const Bodies& bodies, const BodyPair& pair, double skin) const;
   void list_pairs(const Bodies& bodies, Section& section);
   void list_walls(const Bodies& bodies, std::span<const Wall> walls, bool all, Section& section);
   void list_walls_of(const Bodies& bodies, std::size_t i, std::span<const Wall> walls,
                      CandidateArrays& to) const;
-  void list_pair(const Bodies& bodies, const BodyPair& pair, Reaching& of_i, Reaching& of_j,
+  void list_pair(const Bodies& bodies, const BodyPair& pair, double skin, Reaching& of_i, Reaching& of_j,
                  CandidateArrays& to) const;
 
   // Level 3.
@@ -163,6 +166,7 @@ class ContactList {
   Until until_;
   std::vector<Wall> listed_walls_;  ///< as of the last listing
   std::vector<Wall> looked_walls_;  ///< as of the last look at all of them
+  std::vector<double> more_;         ///< of each body, by how much its last share on level 2 was longer [m]
   std::vector<TetherEnd> ends_;     ///< of the bodies, for the level under way
   double wall_share_ = 0.0;         ///< what a wall may move until the next look [m]
 

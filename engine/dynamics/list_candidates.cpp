@@ -12,6 +12,9 @@ namespace {
 /// Part of skins.spheres that a body may travel before its pairs are looked over. A larger one looks them
 /// over less often, a smaller one lists fewer of them anew. Figures in tools/bench/NOTES.md.
 constexpr double kShare = 0.25;
+/// Steps that a share lasts at least. Else a few bodies that fall have the lists of all looked over at every
+/// sixth step of a slump with large steps.
+constexpr double kLeastSteps = 10.0;
 
 }  // namespace
 
@@ -43,9 +46,13 @@ SearchSpheres ContactList::search_spheres(const Bodies& bodies) {
 void ContactList::share_out_pairs(const Bodies& bodies) {
   const double share = kShare * skins_.spheres;
   ends_.resize(bodies.count);
+  more_.resize(bodies.count, 0.0);
   for (std::size_t i = 0; i < bodies.count; ++i) {
     double& until = until_.spheres[i];
-    if (bodies.travel[i] > until - 0.5 * share) until = bodies.travel[i] + share;
+    if (bodies.travel[i] > until - 0.5 * (share + more_[i])) {
+      more_[i] = std::clamp(kLeastSteps * bodies.pace[i] - share, 0.0, 0.5 * skins_.bodies);
+      until = bodies.travel[i] + share + more_[i];
+    }
     ends_[i] = {bodies, i, until - bodies.travel[i]};
   }
 }
@@ -119,9 +126,11 @@ void ContactList::list_pairs(const Bodies& bodies, Section& section) {
   Reaching of_i, of_j;
   for_each_let_go(lists.listed, lists.body_pairs, ends_, [&](std::size_t p) {
     const BodyPair& pair = lists.body_pairs[p];
-    lists.listed[p] = {bodies, pair, skins_.spheres};
+    const double skin = skin_of(static_cast<std::size_t>(pair.i)) +
+                        skin_of(static_cast<std::size_t>(pair.j)) - skins_.spheres;
+    lists.listed[p] = {bodies, pair, skin};
     const std::size_t begin = lists.pairs.count();
-    if (in_reach(bodies, pair)) list_pair(bodies, pair, of_i, of_j, lists.pairs);
+    if (in_reach(bodies, pair, skin)) list_pair(bodies, pair, skin, of_i, of_j, lists.pairs);
     section.changed |= lists.pair_slots[p].near != 0;
     lists.pairs.put_last_into(lists.pair_slots[p], begin);
     lists.looked[p] = lists.pair_slots[p].count == 0 ? Tether::endless() : Tether();
@@ -129,24 +138,24 @@ void ContactList::list_pairs(const Bodies& bodies, Section& section) {
   if (lists.pairs.is_loose(lists.pair_slots)) lists.pairs.close_up(lists.pair_slots);
 }
 
-bool ContactList::in_reach(const Bodies& bodies, const BodyPair& pair) const {
+bool ContactList::in_reach(const Bodies& bodies, const BodyPair& pair, double skin) const {
   const auto i = static_cast<std::size_t>(pair.i), j = static_cast<std::size_t>(pair.j);
   const double dx = bodies.x[i] - bodies.x[j], dy = bodies.y[i] - bodies.y[j], dz = bodies.z[i] - bodies.z[j];
-  const double bounds = bodies.reach[i] + bodies.reach[j] + skins_.spheres;
+  const double bounds = bodies.reach[i] + bodies.reach[j] + skin;
   return dx * dx + dy * dy + dz * dz < bounds * bounds;
 }
 
-void ContactList::list_pair(const Bodies& bodies, const BodyPair& pair, Reaching& of_i, Reaching& of_j,
-                            CandidateArrays& to) const {
+void ContactList::list_pair(const Bodies& bodies, const BodyPair& pair, double skin, Reaching& of_i,
+                            Reaching& of_j, CandidateArrays& to) const {
   const auto i = static_cast<std::size_t>(pair.i), j = static_cast<std::size_t>(pair.j);
   const auto find = [&, origin = bodies.position(i)](std::size_t of, std::size_t into, Reaching& found) {
     found.find(local_, {bodies.shape[of], bodies.axes[of], bodies.position(of), first_sphere_[of]},
-               bodies.position(into), bodies.reach[into] + skins_.spheres, origin);
+               bodies.position(into), bodies.reach[into] + skin, origin);
   };
   find(i, j, of_i);
   if (of_i.count == 0) return;
   find(j, i, of_j);
-  for_each_near(of_i, of_j, skins_.spheres,
+  for_each_near(of_i, of_j, skin,
                 [&](std::size_t a, std::size_t b) { to.push(of_i.sphere[a], of_j.sphere[b]); });
 }
 
@@ -156,7 +165,7 @@ void ContactList::list_walls(const Bodies& bodies, std::span<const Wall> walls, 
   lists.wall_slots.resize(section.last - section.first);
   for (std::size_t i = section.first; i < section.last; ++i) {
     if (!all && until_.spheres[i] <= until_.walls[i]) continue;
-    until_.walls[i] = bodies.travel[i] + 0.5 * skins_.spheres;
+    until_.walls[i] = bodies.travel[i] + skin_of(i) - 0.5 * skins_.spheres;
     const std::size_t begin = lists.walls.count();
     list_walls_of(bodies, i, walls, lists.walls);
     lists.walls.put_last_into(lists.wall_slots[i - section.first], begin);
@@ -170,14 +179,15 @@ void ContactList::list_walls(const Bodies& bodies, std::span<const Wall> walls, 
 void ContactList::list_walls_of(const Bodies& bodies, std::size_t i, std::span<const Wall> walls,
                                 CandidateArrays& to) const {
   const Vec3 position = bodies.position(i);
+  const double skin = skin_of(i);
   bool near = false;
   for (const Wall& wall : walls)
-    near |= wall.present && within_reach(wall, position, bodies.reach[i] + skins_.spheres);
+    near |= wall.present && within_reach(wall, position, bodies.reach[i] + skin);
   if (!near) return;
   for (std::size_t s = first_sphere_[i]; s < first_sphere_[i + 1]; ++s) {
     const PlacedSphere sphere = placed_now(bodies, i, s);
     for (std::size_t w = 0; w < walls.size(); ++w)
-      if (walls[w].present && within_reach(walls[w], Vec3(sphere.centre), sphere.radius + skins_.spheres))
+      if (walls[w].present && within_reach(walls[w], Vec3(sphere.centre), sphere.radius + skin))
         to.push(static_cast<std::int32_t>(s), static_cast<std::int32_t>(w));
   }
 }

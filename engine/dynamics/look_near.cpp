@@ -43,7 +43,7 @@ void ContactList::share_out(const Bodies& bodies, const Section& section) {
   for (std::size_t i = section.first; i < section.last; ++i) {
     is_looked_[i] |= !(bodies.travel[i] + kTogether * bodies.pace[i] <= until_.near[i]);
     if (is_looked_[i]) {
-      const double share = std::clamp(kLookSteps * bodies.pace[i], least, most);
+      const double share = std::clamp(kLookSteps * bodies.pace[i], least, most + more_[i]);
       until_.near[i] = std::min({bodies.travel[i] + share, until_.spheres[i], until_.bodies[i]});
     }
     ends_[i] = {bodies, i, left(bodies, i)};

@@ -30,7 +30,8 @@ void ContactList::renumber(const Bodies& bodies, std::span<const int> new_index,
   move_lists(to, first_section);
   while (!sections.empty() && sections.back().first >= bodies.count) sections.pop_back();
   if (!sections.empty()) sections.back().last = bodies.count;
-  for (auto* array : {&until_.bodies, &until_.spheres, &until_.walls, &until_.near})
+  more_.resize(new_index.size(), 0.0);
+  for (auto* array : {&until_.bodies, &until_.spheres, &until_.walls, &until_.near, &more_})
     for (std::size_t i = 0; i < new_index.size(); ++i)
       if (new_index[i] >= 0) (*array)[static_cast<std::size_t>(new_index[i])] = (*array)[i];
   until_.resize(bodies.count, bodies.padded());

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/base/random.hpp"
@@ -47,6 +48,29 @@ TEST(NearPairs, AreThoseOfBruteForceForSizesOfOneTwentieth) {
     const auto expected = cloud.brute_force(1e-3);
     ASSERT_GT(expected.size(), 10U);
     EXPECT_EQ(near_pairs(cloud.spheres(), 1e-3), expected);
+  }
+}
+
+TEST(NearPairs, OfSomeSpheresAreThoseOfAllWithThese) {
+  RandomStream random(3, 1);
+  for (const double share : {0.0, 0.1, 0.5, 1.0}) {
+    Cloud cloud;
+    for (int k = 0; k < 300; ++k)
+      cloud.add(random.uniform(0.0, 0.05), random.uniform(0.0, 0.05), random.uniform(0.0, 0.05), 3e-3);
+    std::vector<std::uint8_t> flags;
+    for (int k = 0; k < 300; ++k) flags.push_back(random.uniform() < share ? 1 : 0);
+    std::vector<BodyPair> expected = cloud.brute_force(5e-4);
+    std::erase_if(expected, [&](const BodyPair& pair) {
+      return flags[static_cast<std::size_t>(pair.i)] == 0 && flags[static_cast<std::size_t>(pair.j)] == 0;
+    });
+    const SearchSpheres spheres = cloud.spheres();
+    const CellGrid grid(spheres, 5e-4);
+    std::vector<BodyPair> pairs, above;
+    for (std::size_t i = 0; i < flags.size(); ++i)
+      if (flags[i] != 0) grid.append_pairs_of(i, flags, pairs, above);
+    pairs.insert(pairs.end(), above.begin(), above.end());
+    std::ranges::sort(pairs);
+    EXPECT_EQ(pairs, expected) << share;
   }
 }
 

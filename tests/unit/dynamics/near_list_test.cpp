@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <tuple>
 #include <vector>
@@ -140,6 +141,26 @@ Row row_of(const CandidateArrays& arrays, const CandidateSlot& slot) {
   return row;
 }
 
+/// Random flags for the candidates of a slot. Bits beyond the last are to be passed over.
+void look_at(RandomStream& random, CandidateArrays& arrays, CandidateSlot& slot, Row& row) {
+  slot.near = 0;
+  const auto at_once = static_cast<std::size_t>(1.0 + 8.0 * random.uniform());
+  for (std::size_t k = 0; k < slot.count; k += at_once) {
+    const auto bits = static_cast<unsigned>(256.0 * random.uniform());
+    const std::size_t n = std::min(at_once, slot.count - k);
+    arrays.set_near(slot, slot.begin + k, n, bits);
+    for (std::size_t c = 0; c < n; ++c) std::get<2>(row[k + c]) = (bits >> c) & 1U;
+  }
+}
+
+TEST(CandidateArrays, FlagsAndBitsAreTheSame) {
+  for (unsigned bits = 0; bits < 256; ++bits) {
+    const std::uint64_t flags = flags_of(bits);
+    for (unsigned k = 0; k < 8; ++k) EXPECT_EQ((flags >> (8 * k)) & 0xff, (bits >> k) & 1U);
+    EXPECT_EQ(bits_of(flags), bits);
+  }
+}
+
 TEST(CandidateArrays, SlotsKeepTheirOwnWhileOthersAreReplaced) {
   RandomStream random(9, 11);
   CandidateArrays arrays;
@@ -149,6 +170,9 @@ TEST(CandidateArrays, SlotsKeepTheirOwnWhileOthersAreReplaced) {
     const auto s = static_cast<std::size_t>(20.0 * random.uniform());
     const std::size_t begin = arrays.count();
     expected[s].clear();
+    if (trial % 3 == 0) {  // or flags set by a look, at most eight at a time
+      for (std::size_t k = 0; k < slots.size(); ++k) look_at(random, arrays, slots[k], expected[k]);
+    }
     for (int n = static_cast<int>(9.0 * random.uniform()); n > 0; --n) {
       expected[s].emplace_back(trial, n, n % 2);
       arrays.push(trial, n, static_cast<std::uint8_t>(n % 2));
@@ -161,7 +185,11 @@ TEST(CandidateArrays, SlotsKeepTheirOwnWhileOthersAreReplaced) {
       for (const Row& row : expected) all += row.size();
       EXPECT_EQ(arrays.count(), all);
     }
-    for (std::size_t k = 0; k < slots.size(); ++k) ASSERT_EQ(row_of(arrays, slots[k]), expected[k]) << trial;
+    for (std::size_t k = 0; k < slots.size(); ++k) {
+      ASSERT_EQ(row_of(arrays, slots[k]), expected[k]) << trial;
+      const auto is_near = [](const auto& candidate) { return std::get<2>(candidate) == 1; };
+      ASSERT_EQ(slots[k].near, std::ranges::count_if(expected[k], is_near)) << trial;
+    }
   }
 }
 
