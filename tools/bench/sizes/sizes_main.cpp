@@ -70,12 +70,12 @@ void fill(Simulation& simulation, const Scene& scene, std::size_t count) {
 }
 
 /// Seconds of the pair kernel over all contacts, on a copy of what it reads and writes.
-double kernel_seconds(const Simulation& simulation, RollingModel model) {
+double kernel_seconds(const Simulation& simulation, RollingModel model, Arithmetic arithmetic) {
   Bodies bodies = simulation.bodies();
   const RecordVector<PlacedSphere> placed = simulation.contacts().placed;
   std::vector<NearList> near;
   for (const Section& section : simulation.contacts().sections) near.push_back(section.near_pairs);
-  const ForceKernels kernels = force_kernels(model);
+  const ForceKernels kernels = force_kernels(model, arithmetic);
   TouchingList touching;
   LoadsBeyond beyond;
   beyond.start(0);
@@ -107,7 +107,8 @@ void measure(const Scene& scene, std::size_t count, int threads) {
   simulation.contacts().for_each_pair([&](const NearList&, std::size_t) { ++contacts; });
   const auto bodies = static_cast<double>(count), touching = static_cast<double>(contacts);
   fmt::print("{:>7} {:>10.1f} {:>12.1f} {:>10.2f} {:>8.2f} {:>15.3f}\n", count, 1e9 * step_seconds / bodies,
-             1e9 * kernel_seconds(simulation, scene.contact.rolling_model) / std::max(touching, 1.0),
+             1e9 * kernel_seconds(simulation, scene.contact.rolling_model, scene.numerics.arithmetic) /
+                 std::max(touching, 1.0),
              touching / bodies, static_cast<double>(near) / bodies,
              static_cast<double>(simulation.contacts().looks() - looks) / (kBatches * kSteps));
   std::fflush(stdout);
