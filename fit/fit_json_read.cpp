@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/base/input_error.hpp"
 #include "fit/fit_json.hpp"
 #include "fit/selection.hpp"
 
@@ -17,14 +18,12 @@ class Reader {
 
   void fault(const std::string& pointer, const std::string& rule) {
     const json::json_pointer at(pointer);
-    std::string value = root_.contains(at) ? " = " + root_.at(at).dump() : std::string();
-    if (value.size() > 60) value = value.substr(0, 57) + "...";
-    faults_.push_back(fmt::format("{}: {}{}: {}", source_, pointer, value, rule));
+    std::string value = root_.contains(at) ? root_.at(at).dump() : std::string();
+    if (value.size() > 57) value = value.substr(0, 54) + "...";
+    faults_.add(source_, pointer, value, rule);
   }
 
-  void throw_if_any() const {
-    if (!faults_.empty()) throw Unusable(fmt::format("{}", fmt::join(faults_, "\n")));
-  }
+  void throw_if_any() const { faults_.throw_if_any(); }
 
   double required(const std::string& pointer) {
     const json::json_pointer at(pointer);
@@ -84,7 +83,7 @@ class Reader {
 
   const json& root_;
   std::string source_;
-  std::vector<std::string> faults_;
+  Faults faults_;
 };
 
 Estimate estimate(Reader& reader, const std::string& name) {
@@ -177,7 +176,7 @@ void check_factor(Reader& reader, const PowerLaw& law, Factor factor, const std:
 }  // namespace
 
 PowerLaw power_law_from_json(const json& root, const std::string& source) {
-  if (!root.is_object()) throw Unusable(source + ": must be the JSON object of a saved fit");
+  if (!root.is_object()) throw InputError({source, "", "", "must be the JSON object of a saved fit"});
   Reader reader(root, source);
   PowerLaw law;
   law.C = estimate(reader, "C");

@@ -313,6 +313,20 @@ TEST(Invert, ASavedFitWithoutErrorsSaysSo) {
   EXPECT_TRUE(Json::parse(repose(as_json).out).contains("remark"));
 }
 
+TEST(Invert, FaultsOfASavedFitAreSaidOneByOneToPrograms) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "fit.json";
+  write_text(file, R"({"C": -1, "a": 0.01, "c": 0.25, "domain": {"mu_s": [0.1, 0.8], "mu_r": [0.02, 0.2]}})");
+  const Finished run = repose({"invert", file.string(), "--angle", "30", "--json"});
+  EXPECT_EQ(run.code, 2);
+  const Json faults = Json::parse(run.out).at("faults");
+  ASSERT_EQ(faults.size(), 3U) << run.out;
+  EXPECT_EQ(faults[0].at("pointer"), "/b");
+  EXPECT_EQ(faults[1],
+            Json({{"file", file.string()}, {"pointer", "/C"}, {"value", "-1"}, {"rule", "must be > 0"}}));
+  EXPECT_EQ(faults[2].at("pointer"), "/domain/e_pp");
+}
+
 TEST(Invert, ABadQuestionAndABadSourceAreSaidTogether) {
   const Finished run = repose({"invert", "missing.csv", "--angle", "95"});
   EXPECT_EQ(run.code, 2);

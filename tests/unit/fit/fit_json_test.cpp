@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/base/input_error.hpp"
 #include "unit/fit/tables.hpp"
 
 namespace repose::fit {
@@ -27,7 +28,7 @@ json article_equation() {
 std::string reading_message(const json& root) {
   try {
     power_law_from_json(root, "fit.json");
-  } catch (const Unusable& error) {
+  } catch (const InputError& error) {
     return error.what();
   }
   return "read";
