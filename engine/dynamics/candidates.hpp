@@ -72,8 +72,8 @@ struct CandidateArrays {
   void close_up(std::span<CandidateSlot> slots);
   /// Whether most of the arrays belongs to none of the slots.
   [[nodiscard]] bool is_loose(std::span<const CandidateSlot> slots) const;
-  /// `near` of the candidates first … first + n − 1 of a slot, n ≤ 8, from the lowest bits; those that are add
-  /// to the slot's.
+  /// `near` of the candidates first … first + n − 1 of a slot, n ≤ 8, from the lowest bits; those that are
+  /// add to the slot's.
   void set_near(CandidateSlot& slot, std::size_t first, std::size_t n, unsigned bits) {
     const std::uint64_t flags = flags_of(bits);
     if (n == 8) {  // a copy of fixed size is one instruction

@@ -166,7 +166,7 @@ class ContactList {
   Until until_;
   std::vector<Wall> listed_walls_;  ///< as of the last listing
   std::vector<Wall> looked_walls_;  ///< as of the last look at all of them
-  std::vector<double> more_;         ///< of each body, by how much its last share on level 2 was longer [m]
+  std::vector<double> more_;        ///< of each body, by how much its last share on level 2 was longer [m]
   std::vector<TetherEnd> ends_;     ///< of the bodies, for the level under way
   double wall_share_ = 0.0;         ///< what a wall may move until the next look [m]
 

@@ -181,8 +181,7 @@ void ContactList::list_walls_of(const Bodies& bodies, std::size_t i, std::span<c
   const Vec3 position = bodies.position(i);
   const double skin = skin_of(i);
   bool near = false;
-  for (const Wall& wall : walls)
-    near |= wall.present && within_reach(wall, position, bodies.reach[i] + skin);
+  for (const Wall& wall : walls) near |= wall.present && within_reach(wall, position, bodies.reach[i] + skin);
   if (!near) return;
   for (std::size_t s = first_sphere_[i]; s < first_sphere_[i + 1]; ++s) {
     const PlacedSphere sphere = placed_now(bodies, i, s);

@@ -15,7 +15,7 @@ namespace repose {
 /// A body as one end of its tethers, half a cache line.
 struct alignas(32) TetherEnd {
   double position[3] = {};  ///< [m]
-  double used = 0.0;        ///< Bodies::swung, and how far the body may go before its tethers are looked over [m]
+  double used = 0.0;  ///< Bodies::swung, and how far the body may go before its tethers are looked over [m]
 
   TetherEnd() = default;
   TetherEnd(const Bodies& bodies, std::size_t i, double further)
@@ -54,8 +54,8 @@ class alignas(16) Tether {
   float record_[4] = {0.0F, 0.0F, 0.0F, -std::numeric_limits<float>::infinity()};
 };
 
-/// Of kSimdWidth tethers from `first` on, bit l: whether that of pair first + l lets go, before its two bodies
-/// have gone as far as their ends say. Lanes beyond the last tether repeat it.
+/// Of kSimdWidth tethers from `first` on, bit l: whether that of pair first + l lets go, before its two
+/// bodies have gone as far as their ends say. Lanes beyond the last tether repeat it.
 [[nodiscard]] inline unsigned let_go(std::span<const Tether> tethers, std::span<const BodyPair> pairs,
                                      std::span<const TetherEnd> ends, std::size_t first) {
   constexpr int kRecord = 4;  // doubles

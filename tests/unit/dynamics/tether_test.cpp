@@ -101,8 +101,8 @@ TEST(Tether, ReservesWhatItIsAskedFor) {
   EXPECT_TRUE(holds(Tether::endless(), bodies, 1.0));
 }
 
-/// |Δ apart| + Δ swung + what is reserved, in doubles and pair by pair. Floats round off 1e-7 of what is up to
-/// 3 m here, so that a pair within 1e-6 m of its slack may be told either way.
+/// |Δ apart| + Δ swung + what is reserved, in doubles and pair by pair. Floats round off 1e-7 of what is up
+/// to 3 m here, so that a pair within 1e-6 m of its slack may be told either way.
 TEST(Tether, RowsOfAnyLengthLetGoAsTheirPairsDo) {
   RandomStream random(4, 21);
   const std::vector<Clump> shapes{random_clump(random, 8, 5e-3)};
