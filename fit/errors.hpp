@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "fit/response_table.hpp"
 
@@ -11,6 +12,21 @@ namespace repose::fit {
 class Unusable : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// A saved fit that is none; what() has a line a fault, each as `fit.json: /C = -1: must be > 0`.
+class BadSavedFit : public Unusable {
+ public:
+  struct Fault {
+    std::string pointer;  ///< JSON pointer; empty: the whole file
+    std::string value;    ///< what stands there; empty: nothing
+    std::string rule;     ///< that it breaks
+  };
+  BadSavedFit(const std::string& source, std::vector<Fault> faults);
+  [[nodiscard]] const std::vector<Fault>& faults() const { return faults_; }
+
+ private:
+  std::vector<Fault> faults_;
 };
 
 /// An angle that the equation gives nowhere in the domain; what() names the range that it does give.

@@ -17,7 +17,7 @@ nlohmann::json to_json(const PowerLaw& law);
 /// equation of the literature can be written by hand; without covariance and error its bands are those of the
 /// measured angle alone. Keys that are not known are passed over.
 /// @param source  how messages name the file
-/// Throws InputError with every fault: `fit.json: /C = -1: must be > 0`.
+/// Throws BadSavedFit with every fault.
 PowerLaw power_law_from_json(const nlohmann::json& json, const std::string& source);
 
 /// An inversion as an object: angle_deg, sigma_deg, e_pp, level_set (mu_s, mu_r and the 95 % band of each),

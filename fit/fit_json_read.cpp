@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "engine/base/input_error.hpp"
 #include "fit/fit_json.hpp"
 #include "fit/selection.hpp"
 
@@ -20,10 +19,12 @@ class Reader {
     const json::json_pointer at(pointer);
     std::string value = root_.contains(at) ? root_.at(at).dump() : std::string();
     if (value.size() > 57) value = value.substr(0, 54) + "...";
-    faults_.add(source_, pointer, value, rule);
+    faults_.push_back({pointer, value, rule});
   }
 
-  void throw_if_any() const { faults_.throw_if_any(); }
+  void throw_if_any() const {
+    if (!faults_.empty()) throw BadSavedFit(source_, faults_);
+  }
 
   double required(const std::string& pointer) {
     const json::json_pointer at(pointer);
@@ -83,7 +84,7 @@ class Reader {
 
   const json& root_;
   std::string source_;
-  Faults faults_;
+  std::vector<BadSavedFit::Fault> faults_;
 };
 
 Estimate estimate(Reader& reader, const std::string& name) {
@@ -173,10 +174,21 @@ void check_factor(Reader& reader, const PowerLaw& law, Factor factor, const std:
   }
 }
 
+std::string lines_of(const std::string& source, const std::vector<BadSavedFit::Fault>& faults) {
+  std::vector<std::string> lines;
+  for (const auto& [pointer, value, rule] : faults)
+    lines.push_back(fmt::format("{}: {}{}{}{}{}", source, pointer, value.empty() ? "" : " = ", value,
+                                pointer.empty() ? "" : ": ", rule));
+  return fmt::format("{}", fmt::join(lines, "\n"));
+}
+
 }  // namespace
 
+BadSavedFit::BadSavedFit(const std::string& source, std::vector<Fault> faults)
+    : Unusable(lines_of(source, faults)), faults_(std::move(faults)) {}
+
 PowerLaw power_law_from_json(const json& root, const std::string& source) {
-  if (!root.is_object()) throw InputError({source, "", "", "must be the JSON object of a saved fit"});
+  if (!root.is_object()) throw BadSavedFit(source, {{"", "", "must be the JSON object of a saved fit"}});
   Reader reader(root, source);
   PowerLaw law;
   law.C = estimate(reader, "C");

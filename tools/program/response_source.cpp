@@ -116,8 +116,15 @@ fit::PowerLaw fitted_law_of(const fs::path& source, fit::Loss loss, const fs::pa
 }
 
 fit::PowerLaw law_of(const fs::path& source, fit::Loss loss) {
-  if (is_saved_fit(source)) return fit::power_law_from_json(read_json(source), source.string());
-  return fitted_law_of(source, loss);
+  if (!is_saved_fit(source)) return fitted_law_of(source, loss);
+  try {
+    return fit::power_law_from_json(read_json(source), source.string());
+  } catch (const fit::BadSavedFit& error) {  // one by one, with those of the question
+    Faults faults;
+    for (const auto& [pointer, value, rule] : error.faults())
+      faults.add(source.string(), pointer, value, rule);
+    throw InputError(faults.list());
+  }
 }
 
 }  // namespace repose::program

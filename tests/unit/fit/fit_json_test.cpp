@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/base/input_error.hpp"
 #include "unit/fit/tables.hpp"
 
 namespace repose::fit {
@@ -28,7 +27,7 @@ json article_equation() {
 std::string reading_message(const json& root) {
   try {
     power_law_from_json(root, "fit.json");
-  } catch (const InputError& error) {
+  } catch (const Unusable& error) {
     return error.what();
   }
   return "read";
