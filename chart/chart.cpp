@@ -3,15 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
+#include "sweep/stored_runs.hpp"
 #include "sweep/study.hpp"
 
 namespace repose::chart {
 
 namespace {
-
-using RunsByKey = std::map<std::string, sweep::StoredRun>;
 
 Sample sample_of(const sweep::StoredRun& run) {
   return {run.outcome,
@@ -24,15 +22,15 @@ Sample sample_of(const sweep::StoredRun& run) {
 
 /// The runs of a rung (0: the reference) that are there, up to the first that is missing of each set. A run
 /// is found by its key, because two rungs can be the same test.
-Samples samples_of(const sweep::Plan& plan, std::size_t rung, const RunsByKey& runs) {
+Samples samples_of(const sweep::Plan& plan, std::size_t rung, const sweep::StoredRuns& runs) {
   Samples samples;
   for (const sweep::PlannedPoint& point : plan.points) {
     if (point.rung != rung) continue;
     std::vector<Sample>& set = samples.emplace_back();
     for (int replicate = 1; replicate <= plan.design.ladder.replicates_of(rung); ++replicate) {
-      const auto found = runs.find(run_key(point.scene, seed_of(plan.design, point.values, replicate)));
-      if (found == runs.end()) break;
-      set.push_back(sample_of(found->second));
+      const sweep::StoredRun* found = runs.find(point.scene, seed_of(plan.design, point.values, replicate));
+      if (found == nullptr) break;
+      set.push_back(sample_of(*found));
     }
   }
   return samples;
@@ -70,7 +68,8 @@ void add_reference(Chart& chart, const Samples& reference) {
   chart.scatter = scatter_of_angle(reference);
 }
 
-void add_rungs(Chart& chart, const sweep::Plan& plan, const RunsByKey& runs, const Samples& reference) {
+void add_rungs(Chart& chart, const sweep::Plan& plan, const sweep::StoredRuns& runs,
+               const Samples& reference) {
   const std::vector<sweep::Variant>& ladder = plan.design.ladder.rungs;
   Samples working_point;  // if it completed
   for (std::size_t rung = 0; rung < ladder.size(); ++rung) {
@@ -97,8 +96,7 @@ void add_rungs(Chart& chart, const sweep::Plan& plan, const RunsByKey& runs, con
 Chart read_chart(const std::filesystem::path& folder) {
   const sweep::Study study = sweep::open_study(folder);
   const sweep::Plan plan = sweep::make_plan(study.document);
-  RunsByKey runs;
-  for (sweep::StoredRun& run : study.store.runs()) runs.emplace(run.run_key, std::move(run));
+  const sweep::StoredRuns runs(study.store.runs());
 
   const sweep::Ladder& ladder = plan.design.ladder;
   Chart chart;
@@ -107,7 +105,7 @@ Chart read_chart(const std::filesystem::path& folder) {
   for (const std::vector<double>& values : ladder.frictions)
     chart.frictions.push_back(words_of(ladder.friction_names, values));
   chart.missing_runs = static_cast<int>(
-      std::ranges::count_if(plan.runs, [&](const auto& run) { return !runs.contains(run.key); }));
+      std::ranges::count_if(plan.runs, [&](const auto& run) { return runs.find(run) == nullptr; }));
   chart.reference_variant = ladder.reference;
   if (ladder.has_working_point) chart.working_point = ladder.rungs.front().set;
   Samples reference = samples_of(plan, 0, runs);

@@ -215,9 +215,10 @@ Plan make_plan(const CaseDocument& document) {
   for (std::size_t p = 0; p < points.size(); ++p) {
     for (const int replicate : points[p].replicates) {
       const std::uint64_t seed = seed_of(plan.design, points[p].values, replicate);
-      std::string key = run_key(plan.points[p].scene, seed);
+      const std::vector<std::string> names = run_keys(plan.points[p].scene, seed);
       // Two points can be the same test, where a factor changes nothing; it is made once.
-      if (keys.insert(key).second) plan.runs.push_back({p, replicate, seed, std::move(key)});
+      if (keys.insert(names.front()).second)
+        plan.runs.push_back({p, replicate, seed, names.front(), {names.begin() + 1, names.end()}});
     }
   }
   return plan;

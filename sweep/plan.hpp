@@ -22,6 +22,7 @@ struct PlannedRun {
   int replicate = 1;
   std::uint64_t seed = 0;
   std::string key;
+  std::vector<std::string> other_keys;  ///< of the same run by builds for other instruction sets (run_keys)
 };
 
 /// Every run of a case's design, point by point, with the scene of each point read and checked.

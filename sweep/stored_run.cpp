@@ -86,6 +86,11 @@ void take_failure(StoredRun& run, const std::string& reason) {
   run.finished_at = now();
 }
 
+bool succeeds(const StoredRun& run, const StoredRun& other) {
+  const auto rank = [](const StoredRun& of) { return std::tie(of.finished_at, of.run_key); };
+  return run.failed() != other.failed() ? other.failed() : rank(run) > rank(other);
+}
+
 bool same_result(const StoredRun& a, const StoredRun& b) { return result_of(a) == result_of(b); }
 
 }  // namespace repose::sweep

@@ -51,12 +51,17 @@ struct StoredRun {
   std::optional<std::int64_t> spheres;
   std::string version;
   std::string finished_at;  ///< UTC, "2026-01-31T12:00:00Z"
-  /// A run of the same point and seed by another version came later. Not a column.
+  /// Another run of the same point and seed stands for it (succeeds()). Not a column.
   bool superseded = false;
 
   [[nodiscard]] bool completed() const { return outcome == name_of(Outcome::completed); }
   [[nodiscard]] bool failed() const { return outcome == kFailed; }
 };
+
+/// Which of two runs of one point and seed, by two versions of the engine or two instruction sets, stands:
+/// one that ended for a reason of its own before one that `failed`, then the later. The same on every
+/// machine.
+bool succeeds(const StoredRun& run, const StoredRun& other);
 
 /// The one list of columns: visit(name, value) in the order of the table and of an exported CSV.
 template <class Run, class Visit>

@@ -4,7 +4,6 @@
 #include <iterator>
 #include <map>
 #include <tuple>
-#include <utility>
 
 #include "engine/base/json_file.hpp"
 #include "sweep/same_case.hpp"
@@ -65,11 +64,14 @@ Study open_or_create_study(const fs::path& folder, const CaseDocument& document)
 
 std::vector<StoredRun> runs_of(const Store& store) {
   std::vector<StoredRun> runs = store.runs();
-  const auto rank = [](const StoredRun& run) { return std::pair(run.point.has_value(), run.finished_at); };
+  const auto gives_way = [](const StoredRun& to, const StoredRun& run) {
+    if (to.point.has_value() != run.point.has_value()) return to.point.has_value();
+    return succeeds(to, run);
+  };
   std::map<std::tuple<double, double, double, FactorValues, std::string, std::int64_t>, StoredRun*> latest;
   for (StoredRun& run : runs) {
     StoredRun*& last = latest[{run.e_pp, run.mu_s, run.mu_r, run.factors, run.variant, run.seed}];
-    if (last != nullptr) (rank(*last) < rank(run) ? last : &run)->superseded = true;
+    if (last != nullptr) (gives_way(run, *last) ? last : &run)->superseded = true;
     if (last == nullptr || !run.superseded) last = &run;
   }
   return runs;

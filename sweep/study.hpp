@@ -33,7 +33,8 @@ Study open_study(const std::filesystem::path& folder);
 Study open_or_create_study(const std::filesystem::path& folder, const CaseDocument& document);
 
 /// The runs of a study, by point and replicate; a run that a later version of the program has made again, or
-/// whose place in the design another has taken, is marked `superseded`.
+/// a build for another instruction set (succeeds()), or whose place in the design another has taken, is
+/// marked `superseded`.
 std::vector<StoredRun> runs_of(const Store& store);
 
 }  // namespace repose::sweep

@@ -3,7 +3,9 @@
 #include <unordered_map>
 
 #include "engine/base/input_error.hpp"
+#include "engine/run/run.hpp"
 #include "sweep/same_case.hpp"
+#include "sweep/stored_runs.hpp"
 #include "sweep/study.hpp"
 
 namespace repose::sweep {
@@ -12,27 +14,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using RunsByKey = std::unordered_map<std::string, StoredRun>;
-
-RunsByKey by_key(std::vector<StoredRun> runs) {
-  RunsByKey map;
-  for (StoredRun& run : runs) map.emplace(run.run_key, std::move(run));
-  return map;
-}
-
 std::unordered_map<std::string, Store::Label> labels_of(const Plan& plan) {
   std::unordered_map<std::string, Store::Label> labels;
-  for (const PlannedRun& run : plan.runs)
-    labels.emplace(run.key,
-                   Store::Label{static_cast<int>(run.point) + 1, run.replicate, plan.variant_of(run.point)});
+  for (const PlannedRun& run : plan.runs) {
+    const Store::Label label{static_cast<int>(run.point) + 1, run.replicate, plan.variant_of(run.point)};
+    labels.emplace(run.key, label);
+    for (const std::string& key : run.other_keys) labels.emplace(key, label);
+  }
   return labels;
 }
 
 /// Numbers and names the stored runs by the plan where they are not yet.
-void label_by(const Plan& plan, const RunsByKey& stored, Store& store) {
+void label_by(const Plan& plan, const StoredRuns& stored, Store& store) {
   const auto labels = labels_of(plan);
-  for (const auto& [key, run] : stored) {
-    const auto label = labels.find(key);
+  for (const StoredRun& run : stored.all()) {
+    const auto label = labels.find(run.run_key);
     const bool fits = label == labels.end()
                           ? !run.point.has_value()
                           : run.point == label->second.point && run.replicate == label->second.replicate &&
@@ -41,20 +37,15 @@ void label_by(const Plan& plan, const RunsByKey& stored, Store& store) {
   }
 }
 
-CostModel costs_of(const Plan& plan, const RunsByKey& stored) {
+CostModel costs_of(const Plan& plan, const StoredRuns& stored) {
   std::vector<double> work;
   for (const PlannedPoint& point : plan.points) work.push_back(estimated_work(point.scene));
   CostModel costs(std::move(work));
   for (const PlannedRun& run : plan.runs) {
-    const auto found = stored.find(run.key);
-    if (found != stored.end() && found->second.cpu_s) costs.learn(run.point, *found->second.cpu_s);
+    const StoredRun* found = stored.find(run);
+    if (found != nullptr && found->cpu_s) costs.learn(run.point, *found->cpu_s);
   }
   return costs;
-}
-
-bool is_done(const RunsByKey& stored, const std::string& key) {
-  const auto found = stored.find(key);
-  return found != stored.end() && !found->second.failed();
 }
 
 }  // namespace
@@ -62,7 +53,7 @@ bool is_done(const RunsByKey& stored, const std::string& key) {
 SweepSummary run_sweep(const CaseDocument& document, const fs::path& folder, const SweepOptions& options) {
   const Plan plan = make_plan(document);
   Study study = open_or_create_study(folder, document);
-  const RunsByKey stored = by_key(study.store.runs());
+  const StoredRuns stored(study.store.runs());
   label_by(plan, stored, study.store);
   CostModel costs = costs_of(plan, stored);
 
@@ -71,10 +62,10 @@ SweepSummary run_sweep(const CaseDocument& document, const fs::path& folder, con
   SweepProgress begin;
   begin.planned = static_cast<int>(part.size());
   for (const std::size_t index : part) {
-    const std::string& key = plan.runs[index].key;
-    if (!is_done(stored, key))
+    const PlannedRun& planned = plan.runs[index];
+    if (!stored.is_done(planned))
       todo.push_back(index);
-    else if (!stored.at(key).completed())
+    else if (!stored.find(planned)->completed())
       ++begin.failed;
   }
   begin.left = static_cast<int>(todo.size());
@@ -84,12 +75,12 @@ SweepSummary run_sweep(const CaseDocument& document, const fs::path& folder, con
   summary.planned = begin.planned;
   summary.present = begin.done;
   summary.left = begin.left - summary.finished;
-  const RunsByKey now = by_key(study.store.runs());
+  const StoredRuns now(study.store.runs());
   for (const std::size_t index : part) {
-    const auto run = now.find(plan.runs[index].key);
-    if (run == now.end()) continue;
-    ++summary.outcomes[run->second.outcome];
-    count_warnings(run->second, summary.warnings);
+    const StoredRun* run = now.find(plan.runs[index]);
+    if (run == nullptr) continue;
+    ++summary.outcomes[run->outcome];
+    count_warnings(*run, summary.warnings);
   }
   return summary;
 }
@@ -97,20 +88,20 @@ SweepSummary run_sweep(const CaseDocument& document, const fs::path& folder, con
 StudyStatus status_of(const fs::path& folder) {
   const Study study = open_study(folder);
   const Plan plan = make_plan(study.document);
-  const RunsByKey stored = by_key(study.store.runs());
+  const StoredRuns stored(study.store.runs());
   const CostModel costs = costs_of(plan, stored);
   StudyStatus status;
   status.planned = static_cast<int>(plan.runs.size());
   double seconds_left = 0.0;
   bool known = true;
   for (const PlannedRun& run : plan.runs) {
-    const auto found = stored.find(run.key);
-    if (found != stored.end()) {
-      ++status.outcomes[found->second.outcome];
-      count_warnings(found->second, status.warnings);
-      if (!found->second.completed()) status.not_completed.push_back(found->second);
+    if (const StoredRun* found = stored.find(run)) {
+      ++status.outcomes[found->outcome];
+      count_warnings(*found, status.warnings);
+      if (!found->completed()) status.not_completed.push_back(*found);
+      if (found->version != engine_version()) ++status.of_other_instructions;
     }
-    if (is_done(stored, run.key)) {
+    if (stored.is_done(run)) {
       ++status.done;
     } else {
       const auto expected = costs.seconds(run.point);
@@ -119,11 +110,9 @@ StudyStatus status_of(const fs::path& folder) {
     }
   }
   status.left = status.planned - status.done;
-  int planned_and_stored = 0;
-  for (const auto& [outcome, count] : status.outcomes) planned_and_stored += count;
-  status.outside = static_cast<int>(stored.size()) - planned_and_stored;
-  for (const auto& [key, run] : stored)
-    if (run.version != engine_version()) ++status.of_other_version;
+  const auto labels = labels_of(plan);
+  for (const StoredRun& run : stored.all())
+    if (!labels.contains(run.run_key)) ++status.outside;
   if (known) status.cpu_left_s = seconds_left;
   return status;
 }
@@ -160,7 +149,7 @@ int merge_studies(const std::vector<fs::path>& folders, const fs::path& into) {
     Study target = is_new ? open_or_create_study(into, reference) : open_study(into);
     conflicts = target.store.take_from(stores);
     if (conflicts.empty()) {
-      label_by(make_plan(target.document), by_key(target.store.runs()), target.store);
+      label_by(make_plan(target.document), StoredRuns(target.store.runs()), target.store);
       return static_cast<int>(target.store.runs().size());
     }
   }

@@ -25,7 +25,7 @@ struct StudyStatus {
   std::map<std::string, int> outcomes;           ///< of the planned runs that are stored
   std::map<std::string, WarningCount> warnings;  ///< of the same, by name
   int outside = 0;                               ///< stored, but not of the design as it now is
-  int of_other_version = 0;  ///< stored by another version of the engine, or for other instructions
+  int of_other_instructions = 0;  ///< of the planned runs that are stored, made for another instruction set
   std::vector<StoredRun>
       not_completed;  ///< planned runs that ended otherwise than `completed`, with their reasons
   std::optional<double> cpu_left_s;  ///< expected CPU time of what is left; nothing before the first run

@@ -1,5 +1,6 @@
 #include "engine/run/run.hpp"
 
+#include <array>
 #include <ctime>
 
 #include "engine/run/warnings.hpp"
@@ -16,19 +17,22 @@ double thread_cpu_time() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+constexpr const char* kEngine = "9";
+
 /// Vector code rounds as its machine does: fused multiplication and the width of its registers are part of a
 /// result.
-constexpr const char* instruction_set() {
+constexpr std::array kInstructionSets = {"avx512", "avx2", "avx", "baseline"};
 #if defined(__AVX512F__)
-  return "avx512";
+constexpr std::size_t kOwnSet = 0;
 #elif defined(__AVX2__) && defined(__FMA__)
-  return "avx2";
+constexpr std::size_t kOwnSet = 1;
 #elif defined(__AVX__)
-  return "avx";
+constexpr std::size_t kOwnSet = 2;
 #else
-  return "baseline";
+constexpr std::size_t kOwnSet = 3;
 #endif
-}
+
+std::string version_for(std::size_t set) { return std::string(kEngine) + "-" + kInstructionSets[set]; }
 
 /// Angle and responses of a heap at rest, or why it has none.
 void measure(RunResult& result, const Scene& scene, const SlumpTestRun& test) {
@@ -45,10 +49,16 @@ void measure(RunResult& result, const Scene& scene, const SlumpTestRun& test) {
 
 }  // namespace
 
-std::string engine_version() { return std::string("9-") + instruction_set(); }
+std::string engine_version() { return version_for(kOwnSet); }
 
-std::string run_key(const Scene& scene, std::uint64_t seed) {
-  return digest(canonical_text(scene) + "\nseed " + std::to_string(seed) + "\nengine " + engine_version());
+std::string run_key(const Scene& scene, std::uint64_t seed) { return run_keys(scene, seed).front(); }
+
+std::vector<std::string> run_keys(const Scene& scene, std::uint64_t seed) {
+  const std::string run = canonical_text(scene) + "\nseed " + std::to_string(seed) + "\nengine ";
+  std::vector<std::string> keys = {digest(run + engine_version())};
+  for (std::size_t set = 0; set < kInstructionSets.size(); ++set)
+    if (set != kOwnSet) keys.push_back(digest(run + version_for(set)));
+  return keys;
 }
 
 RunResult run_slump_test(const Scene& scene, std::uint64_t seed, const RunOptions& options) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "engine/dynamics/energy_ledger.hpp"
 #include "engine/measure/heap_measurement.hpp"
@@ -55,7 +56,12 @@ RunResult run_slump_test(const Scene& scene, std::uint64_t seed, const RunOption
 /// engine's version and instruction set.
 std::string run_key(const Scene& scene, std::uint64_t seed);
 
-/// Version of the engine as it enters the run key: changes whenever results may change.
+/// The same: run_key() first, then the keys of the same run by builds of this engine for other instruction
+/// sets. Their results differ by rounding alone, so that they are as good as this build's.
+std::vector<std::string> run_keys(const Scene& scene, std::uint64_t seed);
+
+/// Version of the engine as it enters the run key, "9-avx2": a number that changes whenever results may
+/// change, and the instruction set.
 std::string engine_version();
 
 }  // namespace repose

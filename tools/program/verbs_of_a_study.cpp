@@ -33,9 +33,13 @@ std::optional<double> time_left(const sweep::StudyStatus& status) {
 }
 
 nlohmann::ordered_json to_json(const sweep::StudyStatus& status) {
-  nlohmann::ordered_json json = {
-      {"planned", status.planned}, {"done", status.done},         {"failed", status.not_completed.size()},
-      {"left", status.left},       {"outcomes", status.outcomes}, {"outside_the_design", status.outside}};
+  nlohmann::ordered_json json = {{"planned", status.planned},
+                                 {"done", status.done},
+                                 {"failed", status.not_completed.size()},
+                                 {"left", status.left},
+                                 {"outcomes", status.outcomes},
+                                 {"outside_the_design", status.outside},
+                                 {"of_other_instructions", status.of_other_instructions}};
   json["cpu_left_s"] = status.cpu_left_s ? nlohmann::ordered_json(*status.cpu_left_s) : nullptr;
   const auto left = time_left(status);
   json["time_left_s"] = left ? nlohmann::ordered_json(*left) : nullptr;
@@ -70,6 +74,9 @@ int status_verb(const StatusOptions& options) {
   if (const auto left = time_left(status); left && status.left > 0)
     fmt::print(", about {} on this machine", duration_text(*left));
   fmt::print("\n");
+  if (status.of_other_instructions > 0)
+    fmt::print("{} of them on processors with other instructions: the same test, rounded otherwise\n",
+               status.of_other_instructions);
   if (status.outside > 0) fmt::print("{} more that the design does not have any more\n", status.outside);
   for (const sweep::StoredRun& run : status.not_completed)
     fmt::print("  {} (replicate {}): {}: {}\n", factors_in_words(run.factors), run.replicate, run.outcome,

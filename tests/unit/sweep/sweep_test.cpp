@@ -119,7 +119,7 @@ TEST_F(SweepTest, KeepsRunsThatTheDesignNoLongerHas) {
   EXPECT_EQ(status.planned, 8);
   EXPECT_EQ(status.done, 8);
   EXPECT_EQ(status.outside, 4);
-  EXPECT_EQ(status.of_other_version, 0);
+  EXPECT_EQ(status.of_other_instructions, 0);
   EXPECT_EQ(open_study(study()).store.runs().size(), 12U);
 }
 
