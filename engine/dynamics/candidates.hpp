@@ -74,15 +74,20 @@ struct CandidateArrays {
   [[nodiscard]] bool is_loose(std::span<const CandidateSlot> slots) const;
   /// `near` of the candidates first … first + n − 1 of a slot, n ≤ 8, from the lowest bits; those that are
   /// add to the slot's.
-  void set_near(CandidateSlot& slot, std::size_t first, std::size_t n, unsigned bits) {
+  /// @return whether any is other than it was
+  bool set_near(CandidateSlot& slot, std::size_t first, std::size_t n, unsigned bits) {
+    if (n < 8) bits &= (1U << n) - 1;
     const std::uint64_t flags = flags_of(bits);
+    std::uint64_t were = 0;
     if (n == 8) {  // a copy of fixed size is one instruction
+      std::memcpy(&were, near.data() + first, 8);
       std::memcpy(near.data() + first, &flags, 8);
     } else {
+      std::memcpy(&were, near.data() + first, n);
       std::memcpy(near.data() + first, &flags, n);
-      bits &= (1U << n) - 1;
     }
     slot.near += static_cast<std::uint32_t>(std::popcount(bits));
+    return were != flags;
   }
 };
 

@@ -114,7 +114,7 @@ void ContactList::take_found(Section& section) {
     if (again || !is_searched(pair))
       lists.add_pair(pair, old.listed[was], old.looked[was], old.pair_slots[was]);
     else
-      section.changed |= old.pair_slots[was].count != 0;
+      section.changed |= old.pair_slots[was].near != 0;
   }
   for (; next != found.end(); ++next) lists.add_pair(*next);
 }
@@ -168,9 +168,10 @@ void ContactList::list_walls(const Bodies& bodies, std::span<const Wall> walls, 
     until_.walls[i] = bodies.travel[i] + skin_of(i) - 0.5 * skins_.spheres;
     const std::size_t begin = lists.walls.count();
     list_walls_of(bodies, i, walls, lists.walls);
-    lists.walls.put_last_into(lists.wall_slots[i - section.first], begin);
+    CandidateSlot& slot = lists.wall_slots[i - section.first];
+    section.changed |= all || slot.near != 0;
+    lists.walls.put_last_into(slot, begin);
     is_looked_[i] = 1;
-    section.changed = true;
   }
   if (all || lists.walls.is_loose(lists.wall_slots)) lists.walls.close_up(lists.wall_slots);
 }

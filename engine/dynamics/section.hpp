@@ -55,8 +55,7 @@ struct Section {
   };
   std::vector<Needed> needed;  ///< in the order of their places
 
-  bool changed =
-      false;  ///< candidates, or which of them are near, since near_pairs and near_walls were gathered
+  bool changed = false;  ///< which candidates are near, since near_pairs and near_walls were gathered
 
   // Pairs of bodies that a search has found: of this section, sorted, and of greater numbers.
   std::vector<BodyPair> found, found_above;
