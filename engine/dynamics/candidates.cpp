@@ -10,12 +10,13 @@
 namespace repose {
 
 void CandidateArrays::put_last_into(CandidateSlot& slot, std::size_t begin) {
-  const CandidateSlot added = slot_from(begin);
+  CandidateSlot added = slot_from(begin);
+  added.changed |= slot.changed || slot.near != 0;
   if (added.count > slot.room) {
     slot = added;
     return;
   }
-  slot.count = added.count, slot.near = added.near;
+  slot.count = added.count, slot.near = added.near, slot.changed = added.changed;
   for (auto* array : {&a, &b}) {
     std::copy(array->begin() + added.begin, array->end(), array->begin() + slot.begin);
     array->resize(begin);
@@ -32,7 +33,7 @@ void CandidateArrays::close_up(std::span<CandidateSlot> slots) {
       to.insert(to.end(), from.begin() + slot.begin, from.begin() + slot.begin + slot.count);
     };
     copy(a, closed.a), copy(b, closed.b), copy(near, closed.near);
-    slot = closed.slot_from(begin);
+    slot.begin = static_cast<std::uint32_t>(begin), slot.room = slot.count;
   }
   *this = std::move(closed);
 }
@@ -65,19 +66,98 @@ void NearList::append(std::int32_t a, std::int32_t b, const BodyPair& bodies, co
   copy_history(from, k, count++);
 }
 
-void NearList::gather(const CandidateArrays& candidates, std::span<const CandidateSlot> slots,
+/// Rows of a list that are to be kept as they are, neighbours together, found pair of bodies by pair of
+/// bodies, ascending.
+class NearList::OldRows {
+ public:
+  OldRows(const NearList& old, NearList& to) : old_(old), to_(to) {}
+
+  /// `rows` rows of a pair of bodies stay.
+  void keep(const BodyPair& bodies, std::size_t rows) {
+    if (last_ == old_.count || of_bodies(last_) != key(bodies)) flush(), skip_to(key(bodies));
+    last_ += rows;
+  }
+  /// Those of a pair of bodies that has changed: first … last − 1.
+  std::pair<std::size_t, std::size_t> of(const BodyPair& bodies) {
+    flush();
+    skip_to(key(bodies));
+    while (last_ < old_.count && of_bodies(last_) == key(bodies)) ++last_;
+    return {std::exchange(first_, last_), last_};
+  }
+  void flush() {
+    to_.keep(old_, first_, last_);
+    first_ = last_;
+  }
+
+ private:
+  [[nodiscard]] static std::int64_t together(std::int32_t high, std::int32_t low) {
+    return (static_cast<std::int64_t>(high) << 32) | low;
+  }
+  [[nodiscard]] std::int64_t key(const BodyPair& bodies) const {
+    return together(kLine * bodies.i, old_.of_walls ? 0 : kLine * bodies.j);
+  }
+  [[nodiscard]] std::int64_t of_bodies(std::size_t row) const {
+    return together(old_.body_a[row], old_.body_b[row]);
+  }
+  /// Over rows of pairs of bodies that are no more.
+  void skip_to(std::int64_t pair) {
+    while (last_ < old_.count && of_bodies(last_) < pair) ++last_;
+    first_ = last_;
+  }
+
+  const NearList& old_;
+  NearList& to_;
+  std::size_t first_ = 0, last_ = 0;  ///< rows that are to be kept next
+};
+
+void NearList::gather(const CandidateArrays& candidates, std::span<CandidateSlot> slots,
                       std::span<const BodyPair> bodies, const NearList& old) {
   clear();
+  std::size_t all = 0;
+  for (const CandidateSlot& slot : slots) all += slot.near;
+  make_room(all + 2 * kBlock);
+  touching.assign(all / kBlock + 2, 0);
+  OldRows rows(old, *this);
   for (std::size_t group = 0; group < slots.size(); ++group) {
-    const CandidateSlot& slot = slots[group];
-    if (slot.near == 0) continue;
-    make_room(count + slot.near + 2 * kBlock);
-    take(candidates, slot, bodies[group]);
+    CandidateSlot& slot = slots[group];
+    if (!slot.changed) {
+      if (slot.near != 0) rows.keep(bodies[group], slot.near);
+      continue;
+    }
+    slot.changed = false;
+    const auto [first, last] = rows.of(bodies[group]);
+    const std::size_t since = count;
+    if (slot.near != 0) take(candidates, slot, bodies[group]);
+    remember(old, first, last, since);
   }
-  make_room(count + kBlock);
-  touching.assign((count + kBlock - 1) / kBlock, 0);
+  rows.flush();
+  touching.resize((count + kBlock - 1) / kBlock);
   for (std::size_t k = count; k < blocks() * kBlock; ++k) set(k, 0, 0, {});
-  remember(old);
+}
+
+/// `bits` of the block of candidates that begins at `at`.
+void NearList::set_touching(std::size_t at, unsigned bits) {
+  const unsigned shifted = bits << (at % kBlock);
+  touching[at / kBlock] = static_cast<std::uint8_t>(touching[at / kBlock] | shifted);
+  touching[at / kBlock + 1] = static_cast<std::uint8_t>(touching[at / kBlock + 1] | shifted >> kBlock);
+}
+
+/// Rows first … last − 1 of another list, whole blocks at a time: what is copied beyond is written over.
+void NearList::keep(const NearList& old, std::size_t first, std::size_t last) {
+  const auto copy = [&](const auto& from, auto& to, std::size_t row) {
+    std::copy_n(from.data() + row, kBlock, to.data() + count);
+  };
+  for (std::size_t row = first; row < last; row += kBlock) {
+    const std::size_t n = std::min(kBlock, last - row), block = row / kBlock, shift = row % kBlock;
+    unsigned bits = static_cast<unsigned>(old.touching[block]) >> shift;
+    if (block + 1 < old.blocks()) bits |= static_cast<unsigned>(old.touching[block + 1]) << (kBlock - shift);
+    set_touching(count, bits & ((1U << n) - 1));
+    copy(old.sphere_a, sphere_a, row), copy(old.sphere_b, sphere_b, row);
+    copy(old.body_a, body_a, row), copy(old.body_b, body_b, row);
+    copy(old.spring, spring, row);
+    if (rolls) copy(old.rolling, rolling, row);
+    count += n;
+  }
 }
 
 /// Eight candidates at a time, except at the end of the arrays.
@@ -113,27 +193,20 @@ void NearList::find_places(std::span<const std::int32_t> place_of) {
   }
 }
 
-/// Both lists ascend: one pass over them.
-void NearList::remember(const NearList& old) {
-  const auto together = [](std::int32_t high, std::int32_t low) {
-    return (static_cast<std::int64_t>(high) << 32) | low;
+/// Of rows first … last − 1 of another list, what those of the same spheres among the rows from `since` on
+/// remember. Both ascend: one pass over them.
+void NearList::remember(const NearList& old, std::size_t first, std::size_t last, std::size_t since) {
+  const auto spheres = [](const NearList& list, std::size_t at) {
+    return std::pair(list.sphere_a[at], list.sphere_b[at]);
   };
-  const auto of_bodies_at = [&](const NearList& list, std::size_t at) {
-    return together(list.body_a[at], list.body_b[at]);
-  };
-  const auto spheres = [&](const NearList& list, std::size_t at) {
-    return together(list.sphere_a[at], list.sphere_b[at]);
-  };
-  std::size_t k = 0;
-  old.for_each_touched([&](const NearList&, std::size_t was) {
-    const std::int64_t of_bodies = of_bodies_at(old, was), of_spheres = spheres(old, was);
-    while (k < count && (of_bodies_at(*this, k) < of_bodies ||
-                         (of_bodies_at(*this, k) == of_bodies && spheres(*this, k) < of_spheres)))
-      ++k;
-    if (k == count || spheres(*this, k) != of_spheres) return;
+  std::size_t k = since;
+  for (std::size_t was = first; was < last; ++was) {
+    if (!old.touches(was)) continue;
+    while (k < count && spheres(*this, k) < spheres(old, was)) ++k;
+    if (k == count || spheres(*this, k) != spheres(old, was)) continue;
     copy_history(old, was, k);
-    touching[k / kBlock] = static_cast<std::uint8_t>(touching[k / kBlock] | (1U << (k % kBlock)));
-  });
+    set_touching(k, 1);
+  }
 }
 
 }  // namespace repose

@@ -32,6 +32,7 @@ struct alignas(32) RollingRecord {
 struct CandidateSlot {
   std::uint32_t begin = 0, count = 0, room = 0;
   std::uint32_t near = 0;  ///< how many of them are
+  bool changed = false;    ///< others are near than when the near list was gathered
 };
 
 /// Eight flags, a byte each, 0 or 1, the first in the lowest byte, from eight bits and back. To spread bits,
@@ -56,11 +57,12 @@ struct CandidateArrays {
 
   [[nodiscard]] std::size_t count() const { return a.size(); }
   void clear() { a.clear(), b.clear(), near.clear(); }
+  /// Those from `begin` on, of which no near list knows yet.
   [[nodiscard]] CandidateSlot slot_from(std::size_t begin) const {
     const auto n = static_cast<std::uint32_t>(count() - begin);
     const auto is_near = std::ranges::count_if(near.begin() + static_cast<std::ptrdiff_t>(begin), near.end(),
                                                [](std::uint8_t flag) { return flag != 0; });
-    return {static_cast<std::uint32_t>(begin), n, n, static_cast<std::uint32_t>(is_near)};
+    return {static_cast<std::uint32_t>(begin), n, n, static_cast<std::uint32_t>(is_near), is_near != 0};
   }
   /// Adds a candidate; near = 0: nobody has looked at it yet.
   void push(std::int32_t first, std::int32_t second, std::uint8_t is_near = 0) {
@@ -73,9 +75,8 @@ struct CandidateArrays {
   /// Whether most of the arrays belongs to none of the slots.
   [[nodiscard]] bool is_loose(std::span<const CandidateSlot> slots) const;
   /// `near` of the candidates first … first + n − 1 of a slot, n ≤ 8, from the lowest bits; those that are
-  /// add to the slot's.
-  /// @return whether any is other than it was
-  bool set_near(CandidateSlot& slot, std::size_t first, std::size_t n, unsigned bits) {
+  /// add to the slot's, and if one is other than it was the slot has changed.
+  void set_near(CandidateSlot& slot, std::size_t first, std::size_t n, unsigned bits) {
     if (n < 8) bits &= (1U << n) - 1;
     const std::uint64_t flags = flags_of(bits);
     std::uint64_t were = 0;
@@ -87,7 +88,7 @@ struct CandidateArrays {
       std::memcpy(near.data() + first, &flags, n);
     }
     slot.near += static_cast<std::uint32_t>(std::popcount(bits));
-    return were != flags;
+    slot.changed |= were != flags;
   }
 };
 
@@ -145,9 +146,11 @@ struct NearList {
   /// Adds a candidate that touches and remembers what candidate k of another list does.
   void append(std::int32_t a, std::int32_t b, const BodyPair& bodies, const NearList& from, std::size_t k);
   /// Takes the candidates whose `near` is set. Of those that touched, the ones that are near keep what `old`,
-  /// this list as it was before, remembers of them. The padding is the dummy sphere against itself.
-  /// @param slots, bodies  candidates of slots[g] are of bodies[g]; at walls j counts for nothing
-  void gather(const CandidateArrays& candidates, std::span<const CandidateSlot> slots,
+  /// this list as it was before, remembers of them. Rows of slots that have not changed are taken from `old`
+  /// as they are. The padding is the dummy sphere against itself.
+  /// @param slots, bodies  candidates of slots[g] are of bodies[g]; at walls j counts for nothing. Slots that
+  ///                       have changed have not any more.
+  void gather(const CandidateArrays& candidates, std::span<CandidateSlot> slots,
               std::span<const BodyPair> bodies, const NearList& old);
   /// Sets placed_a and placed_b.
   /// @param place_of  index of each sphere's PlacedSphere
@@ -156,10 +159,14 @@ struct NearList {
   void set_wall(std::size_t k, int wall) { sphere_b[k] = placed_b[k] = wall; }
 
  private:
+  class OldRows;
   void make_room(std::size_t entries);
   void take(const CandidateArrays& candidates, const CandidateSlot& slot, const BodyPair& bodies);
   void set(std::size_t k, std::int32_t a, std::int32_t b, const BodyPair& bodies);
-  void remember(const NearList& old);
+  [[nodiscard]] bool touches(std::size_t k) const { return (touching[k / kBlock] >> (k % kBlock) & 1U) != 0; }
+  void set_touching(std::size_t at, unsigned bits);
+  void keep(const NearList& old, std::size_t first, std::size_t last);
+  void remember(const NearList& old, std::size_t first, std::size_t last, std::size_t since);
   void copy_history(const NearList& from, std::size_t at, std::size_t to) {
     spring[to] = from.spring[at];
     if (rolls) rolling[to] = from.rolling[at];

@@ -147,7 +147,7 @@ class ContactList {
   void share_out(const Bodies& bodies, const Section& section);
   void share_out_walls(std::span<const Wall> walls);
   void look_at(const Bodies& bodies, bool all_walls, Section& section);
-  [[nodiscard]] bool find_near(const Bodies& bodies, Section& section, std::size_t pair, double slack) const;
+  void find_near(const Bodies& bodies, Section& section, std::size_t pair, double slack) const;
   void look_at_walls(const Bodies& bodies, Section& section, std::size_t i) const;
   void find_places(const Bodies& bodies, Crew& crew);
   void flag_needed(const Section& section);

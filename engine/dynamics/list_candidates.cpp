@@ -131,8 +131,8 @@ void ContactList::list_pairs(const Bodies& bodies, Section& section) {
     lists.listed[p] = {bodies, pair, skin};
     const std::size_t begin = lists.pairs.count();
     if (in_reach(bodies, pair, skin)) list_pair(bodies, pair, skin, of_i, of_j, lists.pairs);
-    section.changed |= lists.pair_slots[p].near != 0;
     lists.pairs.put_last_into(lists.pair_slots[p], begin);
+    section.changed |= lists.pair_slots[p].changed;
     lists.looked[p] = lists.pair_slots[p].count == 0 ? Tether::endless() : Tether();
   });
   if (lists.pairs.is_loose(lists.pair_slots)) lists.pairs.close_up(lists.pair_slots);
@@ -169,8 +169,8 @@ void ContactList::list_walls(const Bodies& bodies, std::span<const Wall> walls, 
     const std::size_t begin = lists.walls.count();
     list_walls_of(bodies, i, walls, lists.walls);
     CandidateSlot& slot = lists.wall_slots[i - section.first];
-    section.changed |= all || slot.near != 0;
     lists.walls.put_last_into(slot, begin);
+    section.changed |= all || slot.changed;
     is_looked_[i] = 1;
   }
   if (all || lists.walls.is_loose(lists.wall_slots)) lists.walls.close_up(lists.wall_slots);

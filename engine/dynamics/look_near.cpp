@@ -66,19 +66,19 @@ void ContactList::look_at(const Bodies& bodies, bool all_walls, Section& section
     const double slack =
         left(bodies, static_cast<std::size_t>(i)) + left(bodies, static_cast<std::size_t>(j)) + kRounding;
     lists.looked[p] = {bodies, {i, j}, slack};
-    section.changed |= find_near(bodies, section, p, slack);
+    find_near(bodies, section, p, slack);
+    section.changed |= lists.pair_slots[p].changed;
   });
   for (std::size_t i = section.first; i < section.last; ++i)
     if (all_walls || is_looked_[i]) look_at_walls(bodies, section, i);
 }
 
 /// All candidates of a pair of bodies, a vector at a time: their spheres are placed in registers, since most
-/// are not near. Returns whether others are near than before.
-bool ContactList::find_near(const Bodies& bodies, Section& section, std::size_t pair, double slack) const {
+/// are not near.
+void ContactList::find_near(const Bodies& bodies, Section& section, std::size_t pair, double slack) const {
   CandidateArrays& candidates = section.lists.pairs;
   CandidateSlot& slot = section.lists.pair_slots[pair];
   slot.near = 0;
-  bool changed = false;
   const std::size_t begin = slot.begin, end = begin + slot.count;
   const auto i = static_cast<std::size_t>(section.lists.body_pairs[pair].i),
              j = static_cast<std::size_t>(section.lists.body_pairs[pair].j);
@@ -105,9 +105,8 @@ bool ContactList::find_near(const Bodies& bodies, Section& section, std::size_t 
     const SimdReal dx = a[0] - b[0] + apart.x(), dy = a[1] - b[1] + apart.y(), dz = a[2] - b[2] + apart.z();
     const SimdReal reach = a[3] + b[3] + SimdReal(slack);
     const unsigned near = less_bits(dx * dx + dy * dy + dz * dz, reach * reach);
-    changed |= candidates.set_near(slot, first, std::min(kSimdWidth, end - first), near);
+    candidates.set_near(slot, first, std::min(kSimdWidth, end - first), near);
   }
-  return changed;
 }
 
 void ContactList::look_at_walls(const Bodies& bodies, Section& section, std::size_t i) const {
@@ -118,9 +117,9 @@ void ContactList::look_at_walls(const Bodies& bodies, Section& section, std::siz
   for (std::size_t c = slot.begin; c < slot.begin + slot.count; ++c) {
     const PlacedSphere sphere = placed_now(bodies, i, static_cast<std::size_t>(candidates.a[c]));
     const Wall& wall = looked_walls_[static_cast<std::size_t>(candidates.b[c])];
-    section.changed |=
-        candidates.set_near(slot, c, 1, within_reach(wall, Vec3(sphere.centre), sphere.radius + share));
+    candidates.set_near(slot, c, 1, within_reach(wall, Vec3(sphere.centre), sphere.radius + share));
   }
+  section.changed |= slot.changed;
 }
 
 /// Spheres are needed, and have a place, once all sections have said which they need.

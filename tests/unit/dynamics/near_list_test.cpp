@@ -34,7 +34,12 @@ struct Candidates {
   std::vector<BodyPair> bodies;
   std::vector<CandidateSlot> slots;
 
-  void gather_into(NearList& list, const NearList& old) const { list.gather(arrays, slots, bodies, old); }
+  /// As where nothing is known of the slots.
+  void gather_into(NearList& list, const NearList& old) const {
+    std::vector<CandidateSlot> changed = slots;
+    for (CandidateSlot& slot : changed) slot.changed = true;
+    list.gather(arrays, changed, bodies, old);
+  }
 };
 
 Candidates random_candidates(RandomStream& random, int bodies) {
@@ -82,6 +87,46 @@ TEST(NearList, ContactsThatStayNearRememberAndNoOthers) {
         EXPECT_EQ(list.body_a[k], NearList::kLine * ((list.sphere_a[k] - 1) / 2));
         EXPECT_EQ(list.body_b[k], NearList::kLine * ((list.sphere_b[k] - 1) / 2));
       }
+    }
+}
+
+/// Rows of slots that have not changed are copied in blocks from where they were: against a list that is
+/// gathered from all slots. Of the pairs of bodies some go, some come, some get other flags.
+TEST(NearList, IsTheSameWhereMostOfItIsTakenFromTheOldOne) {
+  RandomStream random(12, 11);
+  for (const bool rolls : {false, true})
+    for (int trial = 0; trial < 300; ++trial) {
+      Candidates candidates = random_candidates(random, 9);
+      NearList old(false, rolls), list(false, rolls), expected(false, rolls);
+      candidates.gather_into(old, list);
+      touch_some(random, old);
+      Candidates after;
+      after.arrays = candidates.arrays;
+      const double part = random.uniform();
+      for (std::size_t s = 0; s < candidates.slots.size(); ++s) {
+        CandidateSlot slot = candidates.slots[s];
+        slot.changed = false;
+        const double fate = random.uniform();
+        if (fate < 0.2 * part) continue;  // the pair goes
+        if (fate < 0.5 * part) {
+          slot.near = 0;
+          after.arrays.set_near(slot, slot.begin, slot.count,
+                                static_cast<unsigned>(256.0 * random.uniform()));
+        }
+        after.slots.push_back(slot), after.bodies.push_back(candidates.bodies[s]);
+      }
+      after.gather_into(expected, old);
+      list.gather(after.arrays, after.slots, after.bodies, old);
+      ASSERT_EQ(list.count, expected.count);
+      ASSERT_EQ(list.touching, expected.touching);
+      EXPECT_EQ(memory_of(list), memory_of(expected));
+      for (std::size_t k = 0; k < list.blocks() * NearList::kBlock; ++k) {
+        EXPECT_EQ(list.sphere_a[k], expected.sphere_a[k]);
+        EXPECT_EQ(list.sphere_b[k], expected.sphere_b[k]);
+        EXPECT_EQ(list.body_a[k], expected.body_a[k]);
+        EXPECT_EQ(list.body_b[k], expected.body_b[k]);
+      }
+      for (const CandidateSlot& slot : after.slots) EXPECT_FALSE(slot.changed);
     }
 }
 
