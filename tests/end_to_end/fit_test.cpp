@@ -135,6 +135,18 @@ TEST(Fit, RowsThatTheLawCannotTakeAreNamedWithTheirReason) {
   EXPECT_EQ(lines_with(words.out, "left out"), 3) << words.out;
 }
 
+/// A chart's table has hundreds of rows that are none of the reference's.
+TEST(Fit, RowsThatAreLeftOutForOneReasonAreOneLineOfWords) {
+  const TemporaryFolder folder;
+  std::string csv = article_table() + "28,0.3,0.5,0.1,,red\n";
+  for (int row = 0; row < 40; ++row) csv += "29,0.3,0.5,0,20,red\n";
+  const std::string table = write_table(folder, csv);
+  const Finished words = repose({"fit", table});
+  EXPECT_EQ(lines_with(words.out, "left out"), 2) << words.out;
+  EXPECT_EQ(lines_with(words.out, "left out: 40 points, the first line 30 "), 1) << words.out;
+  EXPECT_EQ(Json::parse(repose({"fit", table, "--json"}).out).at("excluded").size(), 41U);
+}
+
 TEST(Fit, RowsWithAnotherOutcomeThanCompletedAreLeftOut) {
   const TemporaryFolder folder;
   std::string csv = "e_pp,mu_s,mu_r,angle_deg,outcome\n";

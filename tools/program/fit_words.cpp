@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <map>
+#include <vector>
 
 #include "tools/report/study_report.hpp"
 
@@ -13,6 +15,8 @@ namespace {
 constexpr std::array<const char*, 4> kNames = {"C", "a", "b", "c"};
 /// Rows of the curve that are printed; the whole of it is in --json.
 constexpr std::size_t kRows = 7;
+/// Points left out for one reason that are printed one by one.
+constexpr std::size_t kAlike = 3;
 
 std::string point_in_words(const fit::Observation& row) {
   std::string text = fmt::format("e_pp = {:.4g}, mu_s = {:.4g}, mu_r = {:.4g}", row.e, row.mu_s, row.mu_r);
@@ -36,6 +40,22 @@ std::string correction_in_words(const fit::Correction& correction) {
   return text + "\n";
 }
 
+/// A line for each point; one for all of a reason that many have. --json names each.
+std::string excluded_in_words(const std::vector<fit::Excluded>& excluded) {
+  std::map<std::string, std::vector<const fit::Excluded*>> of_reason;
+  for (const fit::Excluded& row : excluded) of_reason[row.reason].push_back(&row);
+  std::string text;
+  for (const fit::Excluded& row : excluded) {
+    const auto& alike = of_reason[row.reason];
+    if (alike.size() <= kAlike)
+      text += fmt::format("left out: {}: {}\n", point_in_words(row.observation), row.reason);
+    else if (alike.front() == &row)
+      text += fmt::format("left out: {} points, the first {}: {}\n", alike.size(),
+                          point_in_words(row.observation), row.reason);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string in_words(const fit::PowerLaw& law) {
@@ -55,8 +75,7 @@ std::string in_words(const fit::PowerLaw& law) {
   text += fmt::format("worst error {:.2f}° at {}\n", law.worst_error, point_in_words(law.worst_point));
   text += fmt::format("holds for e_pp {}, mu_s {}, mu_r {}\n", range_in_words(law.domain.e),
                       range_in_words(law.domain.mu_s), range_in_words(law.domain.mu_r));
-  for (const fit::Excluded& row : law.excluded)
-    text += fmt::format("left out: {}: {}\n", point_in_words(row.observation), row.reason);
+  text += excluded_in_words(law.excluded);
   for (const std::string& remark : law.remarks) text += "note: " + remark + "\n";
   return text;
 }
