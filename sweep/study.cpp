@@ -64,14 +64,13 @@ Study open_or_create_study(const fs::path& folder, const CaseDocument& document)
 
 std::vector<StoredRun> runs_of(const Store& store) {
   std::vector<StoredRun> runs = store.runs();
-  const auto gives_way = [](const StoredRun& to, const StoredRun& run) {
-    if (to.point.has_value() != run.point.has_value()) return to.point.has_value();
-    return succeeds(to, run);
+  const auto stands_for = [](const StoredRun& run, const StoredRun& other) {
+    return run.point.has_value() != other.point.has_value() ? run.point.has_value() : succeeds(run, other);
   };
   std::map<std::tuple<double, double, double, FactorValues, std::string, std::int64_t>, StoredRun*> latest;
   for (StoredRun& run : runs) {
     StoredRun*& last = latest[{run.e_pp, run.mu_s, run.mu_r, run.factors, run.variant, run.seed}];
-    if (last != nullptr) (gives_way(run, *last) ? last : &run)->superseded = true;
+    if (last != nullptr) (stands_for(run, *last) ? last : &run)->superseded = true;
     if (last == nullptr || !run.superseded) last = &run;
   }
   return runs;

@@ -96,25 +96,28 @@ TEST(NearList, IsTheSameWhereMostOfItIsTakenFromTheOldOne) {
   RandomStream random(12, 11);
   for (const bool rolls : {false, true})
     for (int trial = 0; trial < 300; ++trial) {
-      Candidates candidates = random_candidates(random, 9);
+      const Candidates candidates = random_candidates(random, 9);
       NearList old(false, rolls), list(false, rolls), expected(false, rolls);
-      candidates.gather_into(old, list);
-      touch_some(random, old);
-      Candidates after;
-      after.arrays = candidates.arrays;
+      Candidates before, after;
+      before.arrays = after.arrays = candidates.arrays;
       const double part = random.uniform();
       for (std::size_t s = 0; s < candidates.slots.size(); ++s) {
-        CandidateSlot slot = candidates.slots[s];
-        slot.changed = false;
-        const double fate = random.uniform();
-        if (fate < 0.2 * part) continue;  // the pair goes
-        if (fate < 0.5 * part) {
+        CandidateSlot slot = candidates.slots[s];  // of a pair that comes: it has changed where one is near
+        const double fate = random.uniform() / part;
+        if (fate >= 0.2) {
+          before.slots.push_back(slot), before.bodies.push_back(candidates.bodies[s]);
+          slot.changed = false;
+        }
+        if (fate >= 0.2 && fate < 0.4) continue;  // the pair goes
+        if (fate >= 0.4 && fate < 0.7) {
           slot.near = 0;
           after.arrays.set_near(slot, slot.begin, slot.count,
                                 static_cast<unsigned>(256.0 * random.uniform()));
         }
         after.slots.push_back(slot), after.bodies.push_back(candidates.bodies[s]);
       }
+      before.gather_into(old, list);
+      touch_some(random, old);
       after.gather_into(expected, old);
       list.gather(after.arrays, after.slots, after.bodies, old);
       ASSERT_EQ(list.count, expected.count);
