@@ -64,7 +64,7 @@ void add_reference(Chart& chart, const Samples& reference) {
     std::vector<double>& row = angles.emplace_back();
     for (const Sample& sample : set) row.push_back(sample.angle);
   }
-  chart.reference_angle = judge(angles).by_set;
+  chart.reference_angle = estimates_of(angles);
   chart.scatter = scatter_of_angle(reference);
 }
 

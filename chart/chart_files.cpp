@@ -48,8 +48,8 @@ Json to_json(const std::vector<Estimate>& estimates) {
 std::string chart_csv(const Chart& chart) {
   std::string text =
       "rung,outcomes,completed,cpu_s,speed_up,angle_difference_deg,angle_difference_se_deg,"
-      "worst_difference_deg,worst_difference_se_deg,worst_at,dependence_p,error_deg,error_se_deg,"
-      "error_bound_95_deg,density_difference_percent,density_difference_se_percent,"
+      "worst_difference_deg,worst_difference_se_deg,worst_at,dependence_p,mean_bound_95_deg,error_deg,"
+      "error_low_95_deg,error_bound_95_deg,density_difference_percent,density_difference_se_percent,"
       "mass_difference_percent,mass_difference_se_percent,worst_mass_difference_percent,"
       "worst_mass_difference_se_percent,worst_mass_at,mass_dependence_p,off_working_point_deg,off_working_"
       "point_se_deg,"
@@ -63,12 +63,13 @@ std::string chart_csv(const Chart& chart) {
       const Judgement& angle = rung.angle;
       text += cells(angle.mean) + cells(angle.worst) +
               fmt::format(",{},{:.4g}", quoted(chart.frictions[angle.worst_at]), angle.dependence_p) +
-              cells(angle.error) + fmt::format(",{:.6g}", angle.bound_95) + cells(rung.density.mean) +
-              cells(rung.mass.mean) + cells(rung.mass.worst) +
+              fmt::format(",{:.6g},{:.6g},{:.6g},{:.6g}", angle.mean_bound_95, angle.error, angle.low_95,
+                          angle.bound_95) +
+              cells(rung.density.mean) + cells(rung.mass.mean) + cells(rung.mass.worst) +
               fmt::format(",{},{:.4g}", quoted(chart.frictions[rung.mass.worst_at]), rung.mass.dependence_p) +
               (rung.off_working_point ? cells(*rung.off_working_point) : ",,");
     } else {
-      text += std::string(19, ',');
+      text += std::string(20, ',');
     }
     text += fmt::format(",{},{}\n", rung.on_front ? 1 : 0, quoted(set_of(chart.variants[k]).dump()));
   }
@@ -86,7 +87,9 @@ Json to_json(const Comparison& rung, const sweep::Variant& variant) {
   json["worst_difference_deg"] = known(to_json(angle.worst));
   json["worst_at"] = known(angle.worst_at);
   json["dependence_p"] = known(angle.dependence_p);
-  json["error_deg"] = known(to_json(angle.error));
+  json["mean_bound_95_deg"] = known(angle.mean_bound_95);
+  json["error_deg"] = known(angle.error);
+  json["error_low_95_deg"] = known(angle.low_95);
   json["error_bound_95_deg"] = known(angle.bound_95);
   json["density_difference_percent"] = known(to_json(rung.density.mean));
   json["mass_difference_percent"] = known(to_json(rung.mass.mean));

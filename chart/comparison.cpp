@@ -57,7 +57,10 @@ double scatter_of_angle(const Samples& samples) {
   Differences angles(samples.size());
   for (std::size_t set = 0; set < samples.size(); ++set)
     for (const Sample& sample : samples[set]) angles[set].push_back(sample.angle);
-  return judge(angles).by_set.front().standard_error * std::sqrt(static_cast<double>(samples.front().size()));
+  double variances = 0.0;
+  for (const std::vector<double>& set : angles)
+    variances += static_cast<double>(set.size()) * std::pow(estimates_of({set}).front().standard_error, 2);
+  return std::sqrt(variances / static_cast<double>(angles.size()));
 }
 
 Differences angle_differences(const Samples& test, const Samples& reference) {
@@ -86,7 +89,7 @@ void mark_front(std::vector<Comparison>& rungs, double reference_cpu) {
     rung.on_front = rung.completed && rung.cpu < reference_cpu &&
                     std::ranges::none_of(rungs, [&](const Comparison& other) {
                       const double cost = other.cpu - rung.cpu;
-                      const double error = other.angle.error.value - rung.angle.error.value;
+                      const double error = other.angle.error - rung.angle.error;
                       return other.completed && cost <= 0.0 && error <= 0.0 && (cost < 0.0 || error < 0.0);
                     });
   }

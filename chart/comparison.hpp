@@ -30,7 +30,8 @@ const Sample* first_failure(const Samples& samples);
 std::map<std::string, int> outcomes_of(const Samples& samples);
 /// Mean CPU time of a run [s].
 double mean_cpu(const Samples& samples);
-/// Standard deviation of the angle from run to run, within the sets [degrees]. All runs are completed.
+/// Standard deviation of the angle from run to run, root mean square over the sets [degrees]. All runs are
+/// completed.
 double scatter_of_angle(const Samples& samples);
 /// Angle of the one minus that of the other, run by run [degrees]. All runs are completed. Where the test has
 /// m times as many runs as the reference's n, the mean of its runs k, k + n, k + 2 n, … is compared with the

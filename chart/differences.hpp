@@ -10,30 +10,31 @@ struct Estimate {
   double standard_error = 0.0;
 };
 
-/// Differences between two tests of the same seed: one row a set of frictions, one entry a replicate. All
-/// rows are of one length n ≥ 2.
+/// Differences between two tests of the same seed: one row a set of frictions, one entry a replicate. Every
+/// row has two entries at least.
 using Differences = std::vector<std::vector<double>>;
 
-/// What the differences say of the error of a simplification.
+/// What the differences say of the error of a simplification. δ is the true difference of a set of frictions,
+/// d its mean over the replicates.
 struct Judgement {
-  std::vector<Estimate> by_set;  ///< mean of each set of frictions
+  std::vector<Estimate> by_set;  ///< d of each set, its error from the set's own scatter
   Estimate mean;                 ///< over all sets
-  Estimate worst;                ///< the set whose mean is farthest from 0
+  double mean_bound_95 = 0.0;    ///< |mean of δ| is below this with 95 % confidence (Schuirmann 1987)
+  Estimate worst;                ///< the set whose d is farthest from 0
   std::size_t worst_at = 0;
-  double degrees_of_freedom = 0.0;
-  /// Significance of the differences between the sets (F test); 1 with one set.
+  /// Significance of the differences between the sets (F test of Welch 1951); 1 with one set.
   double dependence_p = 1.0;
-  bool depends_on_friction = false;
-  /// The error, ≥ 0: of the mean, or of the worst set where the difference depends on the frictions.
-  Estimate error;
-  /// The error is below this with 95 % confidence: error + t(0.95, ν) × standard error, the test of
-  /// equivalence of Schuirmann (1987).
-  double bound_95 = 0.0;
+  bool depends_on_friction = false;  ///< at the 5 % level
+  /// √(mean of d²): how far the angle of a set of frictions is off, be it the same way with all or with each
+  /// another way. As measured, the noise of the replicates included.
+  double error = 0.0;
+  double low_95 = 0.0;    ///< the true error, √(mean of δ²), is above this with 95 % confidence
+  double bound_95 = 0.0;  ///< the true error is below this with 95 % confidence
 };
 
-/// Standard errors come from the scatter within the sets, s² with ν = sets × (n − 1) degrees of freedom. Sets
-/// are taken together unless an F test finds that they differ, at the 25 % level that Bancroft (1964) advises
-/// for pooling: 5 % would overlook what few replicates cannot show.
+/// The mean of each set and its standard error, s/√n with the s of that set.
+std::vector<Estimate> estimates_of(const Differences& differences);
+
 Judgement judge(const Differences& differences);
 
 }  // namespace repose::chart

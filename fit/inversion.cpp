@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/distributions.hpp"
 #include "fit/selection.hpp"
-#include "fit/student_t.hpp"
 
 namespace repose::fit {
 namespace {

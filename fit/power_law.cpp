@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/distributions.hpp"
 #include "fit/selection.hpp"
 #include "fit/solver.hpp"
-#include "fit/student_t.hpp"
 #include "fit/two_fidelities.hpp"
 #include "fit/uncertainty.hpp"
 

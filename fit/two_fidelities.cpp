@@ -8,8 +8,8 @@
 #include <optional>
 #include <set>
 
+#include "fit/distributions.hpp"
 #include "fit/solver.hpp"
-#include "fit/student_t.hpp"
 #include "fit/uncertainty.hpp"
 
 namespace repose::fit {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "fit/student_t.hpp"
+#include "fit/distributions.hpp"
 
 namespace repose::fit {
 namespace {

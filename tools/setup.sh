@@ -9,7 +9,7 @@ cores=$(nproc)
 build_packages=(
   g++ cmake ninja-build pkg-config
   libeigen3-dev nlohmann-json3-dev libfmt-dev libcli11-dev
-  libnlopt-dev libnlopt-cxx-dev libsqlite3-dev libxxhash-dev libgtest-dev libgmock-dev
+  libboost-dev libnlopt-dev libnlopt-cxx-dev libsqlite3-dev libxxhash-dev libgtest-dev libgmock-dev
   gnuplot-nox
 )
 test_packages=(clang-format clang-tidy)

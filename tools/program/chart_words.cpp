@@ -23,10 +23,10 @@ std::string signed_estimate(const chart::Estimate& estimate, int digits) {
 std::string line_of(const chart::Chart& chart, const chart::Comparison& rung, std::size_t width) {
   const chart::Judgement& angle = rung.angle;
   return fmt::format(
-      "{} {:9.3g} {:8.2f}  {}  {}  {:5.2f}{}  {}  {}  {}{}\n", padded(rung.name, width), rung.cpu,
-      rung.speed_up, padded(signed_estimate(angle.mean, 2), 13), padded(signed_estimate(angle.worst, 2), 13),
-      angle.bound_95, angle.depends_on_friction ? "*" : " ",
-      padded(signed_estimate(rung.density.mean, 1), 11),
+      "{} {:9.3g} {:8.2f}  {}  {:6.2f}  {}  {:5.2f}{} {:6.2f}  {}  {}  {}{}\n", padded(rung.name, width),
+      rung.cpu, rung.speed_up, padded(signed_estimate(angle.mean, 2), 13), angle.mean_bound_95,
+      padded(signed_estimate(angle.worst, 2), 13), angle.error, angle.depends_on_friction ? "*" : " ",
+      angle.bound_95, padded(signed_estimate(rung.density.mean, 1), 11),
       padded(signed_estimate(rung.mass.mean, 1) + (rung.mass.depends_on_friction ? "*" : ""), 12),
       chart.working_point.empty()
           ? ""
@@ -53,22 +53,21 @@ std::string in_words(const chart::Chart& chart) {
     if (rung.completed) order.push_back(&rung);
   }
   std::ranges::stable_sort(order, [](const auto* a, const auto* b) { return a->cpu > b->cpu; });
-  std::string text =
-      fmt::format("{} {:>9} {:>8}  {}  {}  {}  {}  {}  {}\n{} {:9.3g} {:8.2f}  scatter of one run {:.2f}°\n",
-                  padded("rung", width), "CPU s", "speed-up", padded("angle diff. °", 13),
-                  padded("worst °", 13), "<95 % ", padded("density %", 11), padded("mass %", 12),
-                  chart.working_point.empty() ? "" : "off working pt.", padded("reference", width),
-                  chart.reference_cpu, 1.0, chart.scatter);
+  std::string text = fmt::format(
+      "{} {:>9} {:>8}  {}  <95 %   {}  error °  <95 %  {}  {}  {}\n{} {:9.3g} {:8.2f}  scatter of one run "
+      "{:.2f}°\n",
+      padded("rung", width), "CPU s", "speed-up", padded("angle diff. °", 13), padded("worst °", 13),
+      padded("density %", 11), padded("mass %", 12), chart.working_point.empty() ? "" : "off working pt.",
+      padded("reference", width), chart.reference_cpu, 1.0, chart.scatter);
   bool any_dependence = false;
   for (const chart::Comparison* rung : order) {
     text += line_of(chart, *rung, width);
     any_dependence = any_dependence || rung->angle.depends_on_friction || rung->mass.depends_on_friction;
   }
-  text += "<95 %: the error is below this with 95 % confidence";
-  if (any_dependence)
-    text +=
-        "; * depends on the frictions (F test, 25 % level), the bound is then of the worst set, else of the "
-        "mean";
+  text +=
+      "error: root mean square over the sets of frictions; <95 %: the mean, or the error, is below this with "
+      "95 % confidence";
+  if (any_dependence) text += "; * depends on the frictions (F test, 5 % level)";
   text += "\n";
   for (const chart::Comparison& rung : chart.rungs)
     if (!rung.completed)
@@ -84,8 +83,8 @@ std::string in_words(const chart::Chart& chart) {
 
 std::string in_words(const chart::Comparison& rung) {
   if (!rung.completed) return fmt::format("not completed ({}): {}", in_words(rung.outcomes), rung.reason);
-  return fmt::format("{:.2f}° ± {:.2f}° off (below {:.2f}° with 95 % confidence), {:.3g} times cheaper",
-                     rung.angle.error.value, rung.angle.error.standard_error, rung.angle.bound_95,
+  return fmt::format("{:.2f}° off (below {:.2f}° with 95 % confidence; {} in the mean), {:.3g} times cheaper",
+                     rung.angle.error, rung.angle.bound_95, signed_estimate(rung.angle.mean, 2),
                      rung.speed_up);
 }
 

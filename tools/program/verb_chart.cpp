@@ -138,8 +138,7 @@ nlohmann::ordered_json session_json(const Session& session) {
   for (const Trial& trial : session.trials) {
     auto one = chart::to_json(trial.measured, *std::ranges::find(session.chart.variants, trial.variant.name,
                                                                  &sweep::Variant::name));
-    one["predicted"] = {{"error_deg", trial.predicted.error.value},
-                        {"standard_error", trial.predicted.error.standard_error},
+    one["predicted"] = {{"error_deg", trial.predicted.error},
                         {"error_bound_95_deg", trial.predicted.bound_95},
                         {"speed_up", trial.predicted_speed_up}};
     trials.push_back(std::move(one));
@@ -159,8 +158,8 @@ void print_session(const Session& session) {
   fmt::print("{}", in_words(session.chart));
   for (const Trial& trial : session.trials)
     fmt::print("tried {}: expected {:.2f}° off (below {:.2f}°) and {:.3g} times cheaper; measured {}\n",
-               trial.variant.name, trial.predicted.error.value, trial.predicted.bound_95,
-               trial.predicted_speed_up, in_words(trial.measured));
+               trial.variant.name, trial.predicted.error, trial.predicted.bound_95, trial.predicted_speed_up,
+               in_words(trial.measured));
   const std::filesystem::path& folder = session.options.sweep.folder;
   if (session.chosen)
     fmt::print("chosen: {}: {}\n", session.chosen->variant.name, (folder / "chosen.json").string());

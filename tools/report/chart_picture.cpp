@@ -52,7 +52,7 @@ class ChartPlot {
       if (!rung.completed) continue;
       low = std::min(low, rung.cpu);
       high = std::max(high, rung.cpu);
-      worst = std::max(worst, rung.angle.error.value + rung.angle.error.standard_error);
+      worst = std::max(worst, rung.angle.bound_95);
     }
     right_ = has_failures() ? kRight - kColumn : kRight;
     x_low_ = low / 1.35;
@@ -61,8 +61,7 @@ class ChartPlot {
     std::map<std::string, std::string> colours;
     for (std::size_t k = 0; k < chart.rungs.size(); ++k) {
       if (!chart.rungs[k].completed) continue;
-      Spot spot{&chart.rungs[k], kinds_[k], "", x_of(chart.rungs[k].cpu),
-                y_of(chart.rungs[k].angle.error.value)};
+      Spot spot{&chart.rungs[k], kinds_[k], "", x_of(chart.rungs[k].cpu), y_of(chart.rungs[k].angle.error)};
       spot.colour = colours.emplace(spot.kind, kColours[colours.size() % kColours.size()]).first->second;
       spots_.push_back(spot);
     }
@@ -109,7 +108,7 @@ class ChartPlot {
     before_ += fmt::format("set ytics ({})\n", ticks);
     before_ +=
         "set xlabel 'CPU seconds a run' tc rgb '#22303c'\n"
-        "set ylabel 'error of the angle' tc rgb '#22303c'\n";
+        "set ylabel 'error of the angle, root mean square over the frictions' tc rgb '#22303c'\n";
     before_ += fmt::format(
         "set label '{{/:Bold Speed against accuracy}}' at screen {0:.4f},0.965 left font ',17' tc rgb "
         "'#22303c'\n"
@@ -135,7 +134,7 @@ class ChartPlot {
       while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
       text = text.substr(0, end) + "…";
     }
-    return fmt::format("{}{}{} sets of frictions, {} replicates each; bars: ± 1 standard error", text,
+    return fmt::format("{}{}{} sets of frictions, {} replicates each; bars: 90 % confidence", text,
                        text.empty() ? "" : "; ", chart_.frictions.size(), chart_.replicates);
   }
 
@@ -171,7 +170,7 @@ class ChartPlot {
   }
 
   static std::pair<double, double> place_of(const chart::Comparison& rung) {
-    return {rung.cpu, rung.angle.error.value};
+    return {rung.cpu, rung.angle.error};
   }
 
   void add_front() {
@@ -182,12 +181,12 @@ class ChartPlot {
     before_ += "$front << EOD\n";
     double x = x_of(chart_.reference_cpu), y = kBottom;
     for (auto rung = front.rbegin(); rung != front.rend(); ++rung) {
-      const double next_x = x_of((*rung)->cpu), next_y = y_of((*rung)->angle.error.value);
+      const double next_x = x_of((*rung)->cpu), next_y = y_of((*rung)->angle.error);
       take_line(x, y, next_x, next_y);
       x = next_x, y = next_y;
     }
     for (const chart::Comparison* rung : front)
-      before_ += fmt::format("{:.9g} {:.9g}\n", rung->cpu, rung->angle.error.value);
+      before_ += fmt::format("{:.9g} {:.9g}\n", rung->cpu, rung->angle.error);
     before_ += fmt::format("{:.9g} 0\nEOD\n", chart_.reference_cpu);
     plots_.push_back("$front with lines lw 5 lc rgb '#dfe6ee'");
     plots_.push_back("$front with lines lw 1.6 lc rgb '#22303c'");
@@ -196,10 +195,9 @@ class ChartPlot {
   void add_points() {
     before_ += "$reference << EOD\n" + fmt::format("{:.9g} 0\nEOD\n", chart_.reference_cpu);
     for (std::size_t k = 0; k < spots_.size(); ++k) {
-      const chart::Estimate& error = spots_[k].rung->angle.error;
+      const chart::Judgement& angle = spots_[k].rung->angle;
       before_ += fmt::format("$point{} << EOD\n{:.9g} {:.9g} {:.9g} {:.9g}\nEOD\n", k, spots_[k].rung->cpu,
-                             error.value, std::max(0.0, error.value - error.standard_error),
-                             error.value + error.standard_error);
+                             angle.error, angle.low_95, angle.bound_95);
       plots_.push_back(fmt::format("$point{} using 1:2:3:4 with yerrorbars lw 1.1 pt 7 ps 0 lc rgb '{}'", k,
                                    spots_[k].colour));
       plots_.push_back(fmt::format("$point{} using 1:2 with points pt {} ps {} lc rgb '{}'", k, 7,
@@ -207,10 +205,8 @@ class ChartPlot {
     }
     plots_.push_back("$reference with points pt 13 ps 2 lc rgb '#22303c'");
     for (const Spot& spot : spots_) {
-      const chart::Estimate& error = spot.rung->angle.error;
       taken_.push_back({spot.x - 5.0, spot.y - 5.0, 10.0, 10.0});
-      take_line(spot.x, y_of(error.value - error.standard_error), spot.x,
-                y_of(error.value + error.standard_error));
+      take_line(spot.x, y_of(spot.rung->angle.low_95), spot.x, y_of(spot.rung->angle.bound_95));
     }
     taken_.push_back({x_of(chart_.reference_cpu) - 8.0, kBottom - 8.0, 16.0, 16.0});
   }
@@ -300,7 +296,7 @@ class ChartPlot {
     for (std::size_t k = 0; k < chart_.rungs.size(); ++k) {
       const auto found = last.find(kinds_[k]);
       if (chart_.rungs[k].completed || found == last.end()) continue;
-      before_ += fmt::format("{:.9g} {:.9g}\n", found->second->cpu, found->second->angle.error.value);
+      before_ += fmt::format("{:.9g} {:.9g}\n", found->second->cpu, found->second->angle.error);
       any = true;
     }
     before_ += "EOD\n";

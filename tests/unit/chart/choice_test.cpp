@@ -50,7 +50,7 @@ TEST(CombinationsWithin, AreCheapestFirstAndWithinTheLimit) {
   // 0.3 + 0.2 − 0.1 = 0.4: of all sums below 0.5 the one with the smallest product of costs.
   EXPECT_EQ(name_of(found.front(), rungs), "step 3 + soft + rain");
   EXPECT_NEAR(found.front().cost_ratio, 0.33 * 0.1 * 0.8, 1e-12);
-  EXPECT_NEAR(found.front().predicted.error.value, 0.4, 1e-12);
+  EXPECT_NEAR(found.front().predicted.error, 0.4, 1e-12);
   for (std::size_t k = 1; k < found.size(); ++k) EXPECT_GE(found[k].cost_ratio, found[k - 1].cost_ratio);
 }
 
@@ -73,7 +73,7 @@ TEST(CombinationsWithin, AreAllThatThereAre) {
   }
   std::map<std::string, double> found;
   for (const Combination& combination : combinations_within(0.5, rungs))
-    found[name_of(combination, rungs)] = combination.predicted.error.value;
+    found[name_of(combination, rungs)] = combination.predicted.error;
   ASSERT_EQ(found.size(), expected.size());
   for (const auto& [name, error] : expected) EXPECT_NEAR(found.at(name), error, 1e-12) << name;
 }

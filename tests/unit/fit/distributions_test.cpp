@@ -1,4 +1,4 @@
-#include "fit/student_t.hpp"
+#include "fit/distributions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -40,26 +40,9 @@ TEST(StudentT, TwoDegreesOfFreedomHaveAClosedForm) {
 TEST(StudentT, ManyDegreesOfFreedomApproachTheNormalLaw) {
   constexpr double kNormal = 1.9599639845400545;
   EXPECT_NEAR(student_t_quantile(0.975, std::numeric_limits<double>::infinity()), kNormal, 1e-12);
-  // First term of the expansion about the normal law: z + (z³ + z)/(4ν); the next is of order
-  // 1/ν². Tolerance 1e-9: the differences of ln Γ lose seven digits at a million.
+  // First term of the expansion about the normal law: z + (z³ + z)/(4ν); the next is of order 1/ν².
   const double nu = 1e6;
   EXPECT_NEAR(student_t_quantile(0.975, nu), kNormal + (std::pow(kNormal, 3) + kNormal) / (4 * nu), 1e-9);
-}
-
-TEST(StudentT, QuantileInvertsTheDistribution) {
-  for (const double nu : {0.5, 1.7, 4.0, 33.3, 5000.0}) {
-    for (const double p : {0.001, 0.2, 0.5, 0.6, 0.99}) {
-      EXPECT_NEAR(student_t_cdf(student_t_quantile(p, nu), nu), p, 1e-13);
-    }
-  }
-}
-
-// I_x(1, b) = 1 − (1 − x)^b and I_x(2, 2) = x² (3 − 2x); tolerance: rounding.
-TEST(IncompleteBeta, AgreesWithPolynomials) {
-  for (const double x : {0.0, 1e-3, 0.2, 0.5, 0.77, 0.999, 1.0}) {
-    EXPECT_NEAR(incomplete_beta(1, 3.5, x), 1 - std::pow(1 - x, 3.5), 1e-14);
-    EXPECT_NEAR(incomplete_beta(2, 2, x), x * x * (3 - 2 * x), 1e-14);
-  }
 }
 
 // Tables of the F law at 5 %: F(1, 1) = 161.45, F(3, 10) = 3.708, F(10, 20) = 2.348.
@@ -68,6 +51,35 @@ TEST(FLaw, UpperTailAgreesWithTables) {
   EXPECT_NEAR(f_upper_tail(3.708, 3, 10), 0.05, 2e-5);
   EXPECT_NEAR(f_upper_tail(2.348, 10, 20), 0.05, 2e-5);
   EXPECT_EQ(f_upper_tail(0, 3, 10), 1.0);
+  EXPECT_EQ(f_upper_tail(std::numeric_limits<double>::infinity(), 3, 10), 0.0);
+}
+
+double normal_cdf(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
+double normal_density(double z) { return std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi); }
+
+/// P(χ'² ≤ r²) with one and three degrees of freedom: the normal law between −r and r about μ = √λ, and in
+/// the ball of radius r about a centre at the distance μ.
+double noncentral_cdf(int k, double r, double mu) {
+  const double line = normal_cdf(r - mu) - normal_cdf(-r - mu);
+  return k == 1 ? line : line - (normal_density(r - mu) - normal_density(r + mu)) / mu;
+}
+
+// Tolerance: 1e-9 up to x = 1000, and beyond what the normal law leaves of the probability there.
+TEST(NoncentralChiSquare, NoncentralityAgreesWithClosedForms) {
+  for (const int k : {1, 3}) {
+    for (const double x : {0.9, 4.0, 30.0, 900.0, 1100.0, 1e5, 1e9}) {
+      const double lambda = noncentrality(x, k, 0.05);
+      EXPECT_NEAR(noncentral_cdf(k, std::sqrt(x), std::sqrt(lambda)), 0.05, x < 1000.0 ? 1e-9 : 1e-3)
+          << k << " " << x;
+    }
+    const double lower = noncentrality(30.0, k, 0.95);
+    EXPECT_NEAR(noncentral_cdf(k, std::sqrt(30.0), std::sqrt(lower)), 0.95, 1e-9);
+  }
+}
+
+TEST(NoncentralChiSquare, IsZeroWhereNoneIsLikelyEnough) {
+  EXPECT_EQ(noncentrality(0.5, 5.0, 0.05), 0.0);
+  EXPECT_EQ(noncentrality(0.0, 1.0, 0.95), 0.0);
 }
 
 }  // namespace
