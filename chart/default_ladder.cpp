@@ -36,6 +36,7 @@ class Rungs {
       add("rain", {{"/test/filling", "rain"}});
       add("packing", {{"/test/filling", "packing"}});
     }
+    if (!scene_.test.shared_columns) add("5 shared columns", {{"/test/shared_columns/count", 5}});
     for (const double factor : {10.0, 100.0})
       add(fmt::format("rest × {:.0f}", factor),
           {{"/numerics/settle_energy_ratio", factor * scene_.numerics.settle_energy_ratio},

@@ -9,6 +9,8 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "engine/slump/shared_column.hpp"
+
 namespace repose::sweep {
 
 namespace {
@@ -130,6 +132,7 @@ class Pass {
   RunOptions run_options(std::shared_ptr<Crew> crew) {
     RunOptions options;
     options.crew = std::move(crew);
+    options.columns = columns_;
     options.stop = options_.stop;
     options.on_progress = [this](const Progress&) {
       const std::unique_lock lock(mutex_, std::try_to_lock);
@@ -227,8 +230,9 @@ class Pass {
   const Clock::time_point begin_ = Clock::now();
 
   std::mutex mutex_;
-  std::size_t left_to_make_ = 0;                        ///< of todo_, with those under way
-  std::condition_variable changed_;                     ///< of a run that begins or ends
+  std::size_t left_to_make_ = 0;     ///< of todo_, with those under way
+  std::condition_variable changed_;  ///< of a run that begins or ends
+  std::shared_ptr<ColumnShelf> columns_ = std::make_shared<ColumnShelf>();
   std::map<std::size_t, std::shared_ptr<Crew>> crews_;  ///< of the runs under way
   SweepProgress progress_;
   SweepSummary summary_;

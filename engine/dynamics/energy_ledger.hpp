@@ -23,7 +23,7 @@ struct EnergyLedger {
   double elastic_rolling = 0.0;     ///< Σ M_spring²/(2 k_r), of models with a rolling spring
 
   // Since the beginning.
-  double added = 0.0;    ///< kinetic and potential, of bodies put in
+  double added = 0.0;    ///< kinetic and potential of bodies put in, elastic where they touch
   double removed = 0.0;  ///< the same of bodies taken out
   double wall_work = 0.0;
   double normal_damping = 0.0;

@@ -177,6 +177,11 @@ EnergyLedger Simulation::ledger() const {
   return ledger;
 }
 
+void Simulation::add_strain(double energy) {
+  booked_.added += energy;
+  booked_.turnover += std::abs(energy);
+}
+
 void Simulation::add(const NewBody& body) {
   const std::size_t i = bodies_.add(body);
   const double brought = bodies_.kinetic_energy(i) + bodies_.motion[i].mass * kGravity * body.position.z();

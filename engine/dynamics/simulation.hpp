@@ -34,6 +34,8 @@ class Simulation {
   bool step();
 
   void add(const NewBody& body);
+  /// Books the elastic energy that bodies bring with them which touch each other where they are added [J].
+  void add_strain(double energy);
   /// Removes bodies for which `gone(index)` is true; returns how many.
   template <class Gone>
   int remove_if(Gone gone);

@@ -67,13 +67,18 @@ Json json_of(const ContactModel& contact) {
 
 Json json_of(const SlumpTest& test) {
   const auto& [kind, filling, opening, base_radius, base_height, cylinder_radius, cylinder_height, pour_rate,
-               pour_speed, opening_speed] = test;
+               pour_speed, opening_speed, shared_columns] = test;
   const Json radius = std::isfinite(base_radius) ? Json(base_radius) : Json("unbounded");
-  return {{"kind", choice_name(kind)},          {"filling", choice_name(filling)},
-          {"opening", choice_name(opening)},    {"base_radius", radius},
-          {"base_height", base_height},         {"cylinder_radius", cylinder_radius},
-          {"cylinder_height", cylinder_height}, {"pour_rate", pour_rate},
-          {"pour_speed", pour_speed},           {"opening_speed", opening_speed}};
+  Json json = {{"kind", choice_name(kind)},          {"filling", choice_name(filling)},
+               {"opening", choice_name(opening)},    {"base_radius", radius},
+               {"base_height", base_height},         {"cylinder_radius", cylinder_radius},
+               {"cylinder_height", cylinder_height}, {"pour_rate", pour_rate},
+               {"pour_speed", pour_speed},           {"opening_speed", opening_speed}};
+  if (shared_columns) {  // written only where they are: older studies keep their runs
+    const auto& [count, contact] = *shared_columns;
+    json["shared_columns"] = {{"count", count}, {"contact", json_of(contact)}};
+  }
+  return json;
 }
 
 Json json_of(const Numerics& numerics) {

@@ -24,6 +24,7 @@ constexpr Range kPercent{.low = 0.0, .high = 100.0};
 constexpr Range kPoisson{.low = 0.0, .high = 0.5, .low_open = false, .high_open = true};
 constexpr Range kAtLeastOne{.low = 1.0};
 constexpr Range kSpheres{.low = 1.0, .high = kMostSpheres};
+constexpr Range kColumns{.low = 1.0, .high = 100.0};
 constexpr Range kTwo{.low = 2.0, .high = 2.0};
 constexpr Range kSchema{.low = 1.0, .high = 1.0};
 
@@ -110,6 +111,11 @@ std::vector<CaseKey> make_keys() {
       number("/test/pour_speed_m_s", kNotNegative),
       choice("/test/opening", choice_names<Opening>()),
       number("/test/opening_speed_m_s", kPositive),
+      object("/test/shared_columns"),
+      required(integer("/test/shared_columns/count", kColumns)),
+      number("/test/shared_columns/restitution", kFraction),
+      number("/test/shared_columns/static_friction", kNotNegative),
+      number("/test/shared_columns/rolling_friction", kNotNegative),
 
       object("/numerics"),
       step,

@@ -18,6 +18,17 @@ constexpr double kParticlesAcross = 3.0;
 /// units.
 constexpr double kMostParticles = 1e7;
 
+SharedColumns read_shared_columns(const CheckedCase& checked) {
+  const std::string section = "/test/shared_columns";
+  SharedColumns columns;
+  columns.count = checked.integer(section + "/count").value_or(columns.count);
+  ContactParameters& contact = columns.contact;
+  contact.restitution = checked.number_or(section + "/restitution", contact.restitution);
+  contact.static_friction = checked.number_or(section + "/static_friction", contact.static_friction);
+  contact.rolling_friction = checked.number_or(section + "/rolling_friction", contact.rolling_friction);
+  return columns;
+}
+
 }  // namespace
 
 SlumpTest read_test(CheckedCase& checked) {
@@ -37,6 +48,7 @@ SlumpTest read_test(CheckedCase& checked) {
   test.pour_speed = checked.number_or("/test/pour_speed_m_s", test.pour_speed);
   test.opening = checked.choice_or("/test/opening", test.opening);
   test.opening_speed = checked.number_or("/test/opening_speed_m_s", test.opening_speed);
+  if (checked.given("/test/shared_columns")) test.shared_columns = read_shared_columns(checked);
   return test;
 }
 

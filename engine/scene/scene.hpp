@@ -64,6 +64,13 @@ enum class Opening {
   instant  ///< it is gone from one step to the next
 };
 
+/// Columns that are filled and settled once, all with one contact, and shared by the runs of a study
+/// (engine/slump).
+struct SharedColumns {
+  int count = 1;
+  ContactParameters contact{.restitution = 0.3, .static_friction = 0.5, .rolling_friction = 0.1};
+};
+
 struct SlumpTest {
   TestKind kind = TestKind::split_cylinder;
   Filling filling = Filling::pour;
@@ -75,6 +82,7 @@ struct SlumpTest {
   double pour_rate = 5.0;                                        ///< [kg/s]
   double pour_speed = 1.0;     ///< downward speed of a particle that is poured or rains [m/s]
   double opening_speed = 1.0;  ///< of each half, or of the lifted cylinder, where it is moved [m/s]
+  std::optional<SharedColumns> shared_columns;  ///< without them every run fills its own
 };
 
 struct Numerics {

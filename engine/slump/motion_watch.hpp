@@ -85,6 +85,9 @@ class MotionWatch {
   [[nodiscard]] bool spilled(const Bodies& bodies, std::size_t i) const;
   void count_spilled(const Bodies& bodies, std::size_t i);
 
+  /// Goes on from what was seen of a column that was made before.
+  void go_on_from(const MotionDiagnosis& diagnosis) { diagnosis_ = diagnosis; }
+
   [[nodiscard]] const MotionDiagnosis& diagnosis() const { return diagnosis_; }
 
  private:

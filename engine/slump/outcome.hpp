@@ -10,6 +10,8 @@
 
 namespace repose {
 
+class ColumnShelf;
+
 /// How a slump test ended. Only `completed` carries an angle that may enter a fit.
 enum class Outcome {
   completed,
@@ -46,6 +48,8 @@ struct RunOptions {
   /// Threads that help, led by the caller; without one it works alone. The result is the same to the last
   /// bit.
   std::shared_ptr<Crew> crew;
+  /// Where shared columns are kept for other runs; without one a run makes its own. The result is the same.
+  std::shared_ptr<ColumnShelf> columns;
 };
 
 }  // namespace repose

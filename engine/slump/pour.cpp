@@ -58,6 +58,13 @@ void Pour::advance(Simulation& simulation) {
   last_call_ = simulation.time();
 }
 
+void Pour::place(Simulation& simulation, const std::vector<NewBody>& column, double strain) {
+  for (const NewBody& body : column) simulation.add(body);
+  simulation.add_strain(strain);
+  poured_mass_ = total_mass_;
+  next_ = particles_.size();
+}
+
 void Pour::place_all(Simulation& simulation) {
   if (done()) return;
   const SlumpTest& test = scene_.test;

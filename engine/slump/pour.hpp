@@ -23,6 +23,9 @@ class Pour {
  public:
   Pour(const Scene& scene, std::uint64_t seed);
 
+  /// Adds all particles as they lie in a column that has been filled with them before.
+  /// @param strain  elastic energy of their contacts [J]
+  void place(Simulation& simulation, const std::vector<NewBody>& column, double strain);
   /// Adds the particles that are due since the last call.
   void advance(Simulation& simulation);
 

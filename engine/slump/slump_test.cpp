@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/dynamics/time_step.hpp"
+#include "engine/scene/canonical.hpp"
 
 namespace repose {
 
@@ -23,6 +24,9 @@ double mean_diameter(const std::vector<ParticleDraw>& particles, double density)
 // A floor of the kinetic energy below a hundredth of m g d is a jitter of bodies that lie; above, they still
 // fly.
 constexpr double kJitter = 1e-2;
+
+// A run's stream beside those of the pour (pour.cpp).
+constexpr std::uint64_t kTurnStream = 3;
 
 constexpr const char* kStageNames[] = {"pour", "settle", "open", "rest"};
 
@@ -58,9 +62,10 @@ const char* name_of(Outcome outcome) {
 
 SlumpTestRun::SlumpTestRun(const Scene& scene, std::uint64_t seed, const RunOptions& options)
     : scene_(scene),
+      seed_(seed),
       options_(options),
       simulation_(scene, time_step(scene), options.crew),
-      pour_(scene, seed),
+      pour_(scene, scene.test.shared_columns ? number_of_column(*scene.test.shared_columns, seed) : seed),
       watch_(scene) {
   steps_per_check_ = std::max(1L, static_cast<long>(std::min(kCheckInterval / simulation_.dt(), kMostSteps)));
   mean_diameter_ = mean_diameter(pour_.particles(), scene.particles.material.density);
@@ -87,10 +92,13 @@ void SlumpTestRun::build_walls() {
 }
 
 void SlumpTestRun::run() {
-  if (!(fits_into_the_cylinder() && fits_into_the_steps() && pour_stage() && settle_stage() && open_stage() &&
-        rest_stage()))
-    return;
+  if (!(fill() && open_stage() && rest_stage())) return;
   if (const auto verdict = watch_.check_contacts(simulation_)) fail(*verdict);
+}
+
+bool SlumpTestRun::fill() {
+  return fits_into_the_cylinder() && fits_into_the_steps() &&
+         (scene_.test.shared_columns ? take_shared_column() : pour_stage()) && settle_stage();
 }
 
 bool SlumpTestRun::fits_into_the_cylinder() {
@@ -133,6 +141,50 @@ bool SlumpTestRun::pour_stage() {
     if (!advance()) return false;
   }
   return true;
+}
+
+bool SlumpTestRun::take_shared_column() {
+  stage_ = Stage::pour;
+  const auto make = [this] { return make_shared_column(); };
+  std::shared_ptr<const SharedColumn> column;
+  if (options_.columns) {
+    const std::string name = digest(canonical_text(scene_of_column(scene_))) + "/" +
+                             std::to_string(number_of_column(*scene_.test.shared_columns, seed_));
+    column = options_.columns->get(name, make);
+  } else {
+    column = std::make_shared<const SharedColumn>(make());
+  }
+  warnings_ = column->warnings;
+  watch_.go_on_from(column->diagnosis);
+  if (column->verdict.outcome != Outcome::completed) return fail(column->verdict);
+  const double angle = 2.0 * kPi * RandomStream(seed_, kTurnStream).uniform();
+  pour_.place(simulation_, turned(column->bodies, angle), column->strain);
+  return true;
+}
+
+SharedColumn SlumpTestRun::make_shared_column() const {
+  const Scene scene = scene_of_column(scene_);
+  RunOptions options;
+  options.on_progress = options_.on_progress;
+  options.stop = options_.stop;
+  options.crew = options_.crew;
+  SlumpTestRun run(scene, number_of_column(*scene_.test.shared_columns, seed_), options);
+  const bool filled = run.fill();
+  SharedColumn column;
+  column.diagnosis = run.diagnosis();
+  column.warnings = run.warnings();
+  if (!filled) {
+    const bool stopped = run.outcome() == Outcome::interrupted;
+    column.verdict = {run.outcome(), (stopped ? "" : "the shared column: ") + run.reason()};
+    return column;
+  }
+  for (const BodySnapshot& body : run.column().bodies)
+    column.bodies.push_back({.shape = body.shape,
+                             .scale = body.scale,
+                             .position = body.position,
+                             .orientation = body.orientation});
+  column.strain = run.simulation().survey().elastic_normal;
+  return column;
 }
 
 bool SlumpTestRun::settle_stage() {

@@ -8,6 +8,7 @@
 #include "engine/slump/motion_watch.hpp"
 #include "engine/slump/outcome.hpp"
 #include "engine/slump/pour.hpp"
+#include "engine/slump/shared_column.hpp"
 #include "engine/slump/still_angle.hpp"
 
 namespace repose {
@@ -18,6 +19,10 @@ namespace repose {
 /// way. With numerics.rest_angle_change a heap whose angle stands still is at rest as well (StillAngle). A
 /// stage that does not end within numerics.stage_time_limit ends the run `timed_out`; a test of more than
 /// kMostSteps steps is `too_long`, at once where pouring and opening alone take that many.
+///
+/// With test.shared_columns the column has been filled and settled before, with a contact of its own. A run
+/// takes the one that its seed names, turns it about its axis by an angle from its seed, so that no two runs
+/// of a column are the same, and settles it with its own contact; its springs begin anew.
 ///
 /// MotionWatch looks on and ends a run whose motion is unsound. A body that leaves over the cylinder's rim is
 /// taken away and counted: no wall holds it there.
@@ -31,6 +36,8 @@ class SlumpTestRun {
 
   /// Runs all stages.
   void run();
+  /// Runs the first two, after which column() is there; false: the run is over.
+  bool fill();
 
   [[nodiscard]] Outcome outcome() const { return outcome_; }
   [[nodiscard]] const std::string& reason() const { return reason_; }
@@ -61,6 +68,8 @@ class SlumpTestRun {
   bool fits_into_the_cylinder();
   bool fits_into_the_steps();
   bool pour_stage();
+  bool take_shared_column();
+  [[nodiscard]] SharedColumn make_shared_column() const;
   bool settle_stage();
   bool open_stage();
   bool rest_stage();
@@ -83,6 +92,7 @@ class SlumpTestRun {
   bool fail(Verdict verdict);
 
   const Scene& scene_;
+  std::uint64_t seed_;
   const RunOptions& options_;
   Simulation simulation_;
   Pour pour_;

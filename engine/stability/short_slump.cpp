@@ -58,19 +58,13 @@ void survey_at_rest(SettledColumn& column) {
 
 /// One try at one step; false: the energy ledger is off.
 bool pour_and_settle(SettledColumn& column, std::uint64_t seed, const std::atomic<bool>* stop) {
-  std::atomic<bool> end{false};
-  bool settled = false;
   RunOptions options;
-  options.stop = &end;
-  options.on_progress = [&](const Progress& progress) {
-    settled = progress.stage == "open" || progress.stage == "rest";
-    if (settled || (stop && stop->load(std::memory_order_relaxed))) end = true;
-  };
+  options.stop = stop;
   SlumpTestRun run(column.scene, seed, options);
-  run.run();
+  const bool settled = run.fill();
   const MotionDiagnosis& seen = run.diagnosis();
-  column.interrupted = !settled && stop && stop->load();
-  if (run.outcome() != Outcome::interrupted && run.outcome() != Outcome::completed) {
+  column.interrupted = run.outcome() == Outcome::interrupted;
+  if (!settled && !column.interrupted) {
     column.reason = fmt::format("{}: {}", name_of(run.outcome()), run.reason());
     return run.outcome() != Outcome::unstable && run.outcome() != Outcome::diverged &&
            run.outcome() != Outcome::escaped;
@@ -86,6 +80,7 @@ bool pour_and_settle(SettledColumn& column, std::uint64_t seed, const std::atomi
 
 Scene shortened(const Scene& scene, int bodies) {
   Scene small = scene;
+  small.test.shared_columns.reset();  // one column is all there is
   double volume = 0.0, reach = 0.0;
   const Particles& particles = scene.particles;
   for (const Clump& shape : particles.shapes) {

@@ -82,6 +82,15 @@ TEST(Sweep, OneAndTwoThreadsGiveTheSameBits) {
             swept(folder, "two", tiny_sweep(), {"--threads", "2"}));
 }
 
+TEST(Sweep, SharedColumnsGiveTheSameBitsForAnyNumberOfThreads) {
+  const TemporaryFolder folder;
+  Json json = tiny_sweep();
+  json["test"]["shared_columns"] = {{"count", 2}};
+  const std::string one = swept(folder, "one", json, {"--threads", "1"});
+  EXPECT_EQ(one, swept(folder, "two", json, {"--threads", "2"}));
+  EXPECT_NE(one, swept(folder, "own", tiny_sweep(), {"--threads", "2"}));
+}
+
 TEST(Sweep, ExtendedDesignRunsOnlyWhatIsNew) {
   const TemporaryFolder folder;
   swept(folder, "study", tiny_sweep(1));

@@ -330,7 +330,15 @@ const BadCase kBadCases[] = {
     {"KeyOfAnotherSection",
      R"({"test": {"restitution": 0.5}})",
      {"case.json: /test/restitution = 0.5: is not known; /test takes kind, base, cylinder, filling, "
-      "pour_rate_kg_s, pour_speed_m_s, opening, opening_speed_m_s"}},
+      "pour_rate_kg_s, pour_speed_m_s, opening, opening_speed_m_s, shared_columns"}},
+    {"SharedColumnsWithoutNumber",
+     R"({"test": {"shared_columns": {"static_friction": -1}}})",
+     {"case.json: /test/shared_columns/static_friction = -1: must be >= 0",
+      "case.json: /test/shared_columns/count: is missing"}},
+    {"SharedColumnsBeyondTheirNumber",
+     R"({"test": {"shared_columns": {"count": 101, "restitution": 1.5}}})",
+     {"case.json: /test/shared_columns/count = 101: must be between 1 and 100",
+      "case.json: /test/shared_columns/restitution = 1.5: must be between 0 and 1"}},
 
     // Numerics and measurement
     {"TimeStepZero",

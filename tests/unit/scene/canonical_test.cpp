@@ -68,6 +68,13 @@ const std::vector<std::pair<const char*, Change>> kChanges = {
     {"pour rate", [](Scene& s) { s.test.pour_rate += 1e-9; }},
     {"pour speed", [](Scene& s) { s.test.pour_speed += 1e-9; }},
     {"opening speed", [](Scene& s) { s.test.opening_speed += 1e-9; }},
+    {"shared columns", [](Scene& s) { s.test.shared_columns.emplace(); }},
+    {"number of shared columns", [](Scene& s) { s.test.shared_columns = SharedColumns{.count = 2}; }},
+    {"e of shared columns", [](Scene& s) { s.test.shared_columns.emplace().contact.restitution = 0.2; }},
+    {"mu_s of shared columns",
+     [](Scene& s) { s.test.shared_columns.emplace().contact.static_friction = 0.2; }},
+    {"mu_r of shared columns",
+     [](Scene& s) { s.test.shared_columns.emplace().contact.rolling_friction = 0.2; }},
     {"step fraction", [](Scene& s) { s.numerics.time_step_fraction = 0.3; }},
     {"step automatic", [](Scene& s) { s.numerics.time_step_fraction.reset(); }},
     {"step in seconds", [](Scene& s) { s.numerics.time_step = 0.2; }},
@@ -115,7 +122,11 @@ TEST(CanonicalText, ChangesWithEveryNumberOfACase) {
   EXPECT_EQ(moved_keys, 31);  // of the good case
 }
 
-// Studies from before the key was there keep their runs.
+// Studies from before the keys were there keep their runs.
+TEST(CanonicalText, NamesSharedColumnsOnlyWhereThereAreSome) {
+  EXPECT_EQ(canonical_text(good_scene()).find("shared_columns"), std::string::npos);
+}
+
 TEST(CanonicalText, NamesTheArithmeticOnlyWhereItIsNotDouble) {
   Scene scene = good_scene();
   EXPECT_EQ(canonical_text(scene).find("arithmetic"), std::string::npos);

@@ -63,7 +63,7 @@ TEST(SceneReader, LeavesTheDefaultsOfTheSceneWhereACaseIsSilent) {
     "contact": {"rolling_model": null, "tangential_history": null, "normal_damping": null,
                 "rolling_damping_ratio": null, "rolling_torque": null},
     "test": {"base": {"height_mm": null}, "filling": null, "pour_rate_kg_s": null, "pour_speed_m_s": null,
-             "opening": null, "opening_speed_m_s": null}})");
+             "opening": null, "opening_speed_m_s": null, "shared_columns": null}})");
   EXPECT_EQ(scene.title, "");
   EXPECT_EQ(scene.contact.rolling_model, RollingModel::type_a);
   EXPECT_EQ(scene.contact.tangential_history, TangentialHistory::force);
@@ -77,6 +77,7 @@ TEST(SceneReader, LeavesTheDefaultsOfTheSceneWhereACaseIsSilent) {
   EXPECT_EQ(scene.test.pour_speed, 1.0);
   EXPECT_EQ(scene.test.opening, Opening::moved);
   EXPECT_EQ(scene.test.opening_speed, 1.0);
+  EXPECT_FALSE(scene.test.shared_columns.has_value());
   EXPECT_EQ(scene.numerics.time_step_fraction, 0.3);
   EXPECT_EQ(scene.numerics.stiffness_scale, 1.0);
   EXPECT_EQ(scene.numerics.settle_energy_ratio, 1e-4);
@@ -85,6 +86,15 @@ TEST(SceneReader, LeavesTheDefaultsOfTheSceneWhereACaseIsSilent) {
   EXPECT_EQ(scene.numerics.stage_time_limit, 5.0);
   EXPECT_EQ(scene.measure.window_low, 0.2);
   EXPECT_EQ(scene.measure.window_high, 0.8);
+}
+
+TEST(SceneReader, ReadsSharedColumns) {
+  const Scene scene = scene_of(R"({"test": {"shared_columns": {"count": 7, "static_friction": 0.4}}})");
+  ASSERT_TRUE(scene.test.shared_columns.has_value());
+  EXPECT_EQ(scene.test.shared_columns->count, 7);
+  EXPECT_EQ(scene.test.shared_columns->contact.restitution, 0.3);
+  EXPECT_EQ(scene.test.shared_columns->contact.static_friction, 0.4);
+  EXPECT_EQ(scene.test.shared_columns->contact.rolling_friction, 0.1);
 }
 
 TEST(SceneReader, TakesABaseWithoutADiameterAsAnUnboundedPlane) {

@@ -30,7 +30,8 @@ inline Scene sound_scene() {
                 .cylinder_radius = 0.015,
                 .cylinder_height = 0.12,
                 .pour_rate = 0.5,
-                .opening_speed = 1.0};
+                .opening_speed = 1.0,
+                .shared_columns = {}};
   scene.numerics.time_step_fraction = 0.2;
   return scene;
 }
