@@ -17,7 +17,8 @@ Sample sample_of(const sweep::StoredRun& run) {
           run.angle_deg.value_or(0.0),
           run.bulk_density_kg_m3.value_or(0.0),
           run.mass_on_base_kg.value_or(0.0),
-          run.cpu_s.value_or(0.0)};
+          run.cpu_s.value_or(0.0),
+          run.version};
 }
 
 /// The runs of a rung (0: the reference) that are there, up to the first that is missing of each set. A run
@@ -52,7 +53,13 @@ std::string words_of(const std::vector<std::string>& names, const std::vector<do
   return text;
 }
 
+void note_engines(Chart& chart, const Samples& samples) {
+  for (const std::vector<Sample>& set : samples)
+    for (const Sample& sample : set) chart.engines.insert(sample.engine);
+}
+
 void add_reference(Chart& chart, const Samples& reference) {
+  note_engines(chart, reference);
   chart.reference_outcomes = outcomes_of(reference);
   chart.reference_cpu = mean_cpu(reference);
   if (const Sample* failure = first_failure(reference)) {
@@ -81,6 +88,7 @@ void add_rungs(Chart& chart, const sweep::Plan& plan, const sweep::StoredRuns& r
     }
     cut(samples, needed);
     chart.variants.push_back(ladder[rung]);
+    note_engines(chart, samples);
     Comparison& comparison = chart.rungs.emplace_back(compare(ladder[rung].name, samples, reference));
     chart.differences.push_back(comparison.completed ? angle_differences(samples, reference) : Differences{});
     if (!comparison.completed) continue;

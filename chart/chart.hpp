@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct Chart {
   int replicates = 0;                          ///< of the reference with a set
   int rung_replicates = 0;                     ///< of a rung with a set
   int missing_runs = 0;                        ///< of the ladder
+  std::set<std::string> engines;               ///< that made its runs, with their instruction sets
   std::vector<std::string> unfinished;         ///< rungs left out because they lack runs
   sweep::Variant reference_variant;            ///< as the study has it
   std::vector<sweep::Variant> variants;        ///< of the rungs

@@ -106,6 +106,7 @@ Json to_json(const Chart& chart) {
                {"replicates", chart.replicates},
                {"rung_replicates", chart.rung_replicates},
                {"missing_runs", chart.missing_runs},
+               {"engines", chart.engines},
                {"unfinished", chart.unfinished}};
   json["reference"] = {{"set", set_of(chart.reference_variant)},
                        {"outcomes", chart.reference_outcomes},

@@ -17,6 +17,7 @@ struct Sample {
   double density = 0.0;  ///< of the column [kg/m³]
   double mass = 0.0;     ///< on the base [kg]
   double cpu = 0.0;      ///< [s]
+  std::string engine;    ///< that made it, with its instruction set
 
   [[nodiscard]] bool completed() const { return outcome == "completed"; }
 };

@@ -9,10 +9,10 @@ namespace repose::chart {
 /// filled in.
 ///
 /// - frictions: three pairs (μs, μr) over the article's ranges;
-/// - rungs: longer steps, softer contacts, less mass, rain and packing, shared columns, looser rest, an end once the angle
-///   stands still, faster and instant opening, mixed arithmetic, larger particles, fewer spheres a clump, one
-///   shape, one size, spheres: each as far as the case, with what its reference and its working point set,
-///   has it and would still be sound.
+/// - rungs: longer steps, softer contacts, less mass, rain and packing, shared columns, looser rest, an end
+///   once the angle stands still, faster and instant opening, mixed arithmetic, larger particles, fewer
+///   spheres a clump, one shape, one size, spheres: each as far as the case, with what its reference and its
+///   working point set, has it and would still be sound.
 CaseDocument with_chart(const CaseDocument& document);
 
 /// The same with more rungs at the end of the ladder: what they set themselves.

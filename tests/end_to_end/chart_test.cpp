@@ -47,6 +47,7 @@ TEST(Chart, WritesTableAndPictureAndNamesWhatFailed) {
   ASSERT_EQ(run.code, 3) << run.err;
   const Json json = Json::parse(run.out);
   EXPECT_EQ(json.at("reference").at("angle_deg").size(), 3U);
+  EXPECT_EQ(json.at("engines").size(), 1U);
   ASSERT_EQ(json.at("rungs").size(), 3U);
   const Json& rest = json.at("rungs")[0];
   EXPECT_EQ(rest.at("name"), "faster rest");

@@ -1,6 +1,7 @@
 #include "tools/program/chart_words.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -73,6 +74,10 @@ std::string in_words(const chart::Chart& chart) {
     if (!rung.completed)
       text += fmt::format("{}: not completed ({}): {}\n", rung.name, in_words(rung.outcomes), rung.reason);
   if (chart.missing_runs > 0) text += so_far(chart);
+  if (chart.engines.size() > 1)
+    text +=
+        fmt::format("runs of several processors ({}): their CPU seconds, and so speed-ups, do not compare\n",
+                    fmt::join(chart.engines, ", "));
   if (chart.frictions.size() < 3)
     text += fmt::format(
         "only {} of frictions: the error of a simplification can depend on them, three and more are "
