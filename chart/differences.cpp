@@ -54,14 +54,12 @@ class Sets {
     judgement.error = std::sqrt(squares / count());
     judgement.low_95 = judgement.bound_95 = judgement.error;
     if (!(noise > 0.0)) return;
-    const auto weight = [&](std::size_t k) { return v_[k] + 2.0 * d(k) * d(k); };
-    const double weighted = sum(v_, [&](std::size_t k) { return weight(k) * v_[k]; });
-    const double a = weighted / sum(v_, weight);
-    const double k = noise / a;
-    const double wider = std::pow(t_of(weight) / fit::student_t_quantile(kConfidence, INFINITY), 2) * a;
-    const auto root = [&](double lambda) { return std::sqrt(wider * lambda / count()); };
-    judgement.low_95 = root(fit::noncentrality(squares / wider, k, kConfidence));
-    judgement.bound_95 = root(fit::noncentrality(std::max(squares / wider, k), k, 1.0 - kConfidence));
+    const Spread seen = spread([&](std::size_t k) { return v_[k] + 2.0 * d(k) * d(k); });
+    const Spread alone = spread([&](std::size_t k) { return v_[k]; });
+    judgement.low_95 = seen.error(fit::noncentrality(squares / seen.a, seen.k, kConfidence));
+    judgement.bound_95 =
+        seen.error(fit::noncentrality(std::max(squares / seen.a, seen.k), seen.k, 1.0 - kConfidence));
+    judgement.noise_bound_95 = alone.error(fit::noncentrality(alone.k, alone.k, 1.0 - kConfidence));
   }
 
   /// Welch's F of the means with their own variances. A set without scatter (the same motion in both tests)
@@ -83,6 +81,18 @@ class Sets {
   }
 
  private:
+  /// Σ d² as a times a χ'²_k, a with Student's widening.
+  struct Spread {
+    double a, k, sets;
+    [[nodiscard]] double error(double lambda) const { return std::sqrt(a * lambda / sets); }
+  };
+  [[nodiscard]] Spread spread(auto weight) const {
+    const double noise = sum(v_, [&](std::size_t k) { return v_[k]; });
+    const double a = sum(v_, [&](std::size_t k) { return weight(k) * v_[k]; }) / sum(v_, weight);
+    const double wider = t_of(weight) / fit::student_t_quantile(kConfidence, INFINITY);
+    return {wider * wider * a, noise / a, count()};
+  }
+
   [[nodiscard]] double d(std::size_t k) const { return estimates_[k].value; }
   [[nodiscard]] double count() const { return static_cast<double>(v_.size()); }
 

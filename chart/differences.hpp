@@ -30,6 +30,8 @@ struct Judgement {
   double error = 0.0;
   double low_95 = 0.0;    ///< the true error, √(mean of δ²), is above this with 95 % confidence
   double bound_95 = 0.0;  ///< the true error is below this with 95 % confidence
+  /// What the bound would be if the differences were of the size of their noise. It falls as 1/√n.
+  double noise_bound_95 = 0.0;
 };
 
 /// The mean of each set and its standard error, s/√n with the s of that set.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "chart/chart_files.hpp"
@@ -69,6 +70,19 @@ const chart::Comparison& measured(const chart::Chart& chart, const std::string& 
   return *std::ranges::find(chart.rungs, name, &chart::Comparison::name);
 }
 
+/// Why nothing could be tried: the noise, and how many replicates would do at best, or the rungs.
+std::string nothing_near(const chart::Chart& chart, double limit) {
+  double noise = HUGE_VAL;
+  for (const chart::Comparison& rung : chart.rungs)
+    if (rung.completed) noise = std::min(noise, rung.angle.noise_bound_95);
+  std::string text =
+      fmt::format("no combination can be said to be within {:g}° with 95 % confidence: ", limit);
+  if (noise < limit || !std::isfinite(noise)) return text + "the rungs are too coarse; give finer ones";
+  const double needed = std::ceil(chart.replicates * std::pow(noise / limit, 2));
+  return text + fmt::format("with {} replicates the noise alone leaves {:.2g}° at best; give some {:.0f}",
+                            chart.replicates, noise, needed);
+}
+
 /// Tries the cheapest combinations that should do until one does; false: interrupted.
 bool choose(Session& session, double limit) {
   const std::vector<chart::Candidate> candidates = chart::candidates_of(session.chart);
@@ -97,11 +111,7 @@ bool choose(Session& session, double limit) {
   }
   session.remark =
       session.trials.empty()
-          ? fmt::format(
-                "no combination can be said to be within {:g}° with 95 % confidence: the noise is too large, "
-                "or "
-                "the rungs too coarse; give more replicates or finer rungs",
-                limit)
+          ? nothing_near(session.chart, limit)
           : fmt::format(
                 "none of the {} combinations that were tried is within {:g}° with 95 % confidence; give more "
                 "replicates, finer rungs or more --tries",

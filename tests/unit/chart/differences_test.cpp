@@ -79,6 +79,17 @@ TEST(Judge, BoundIsNotBelowTheNoise) {
   EXPECT_EQ(judgement.error, 0.0);
   EXPECT_EQ(judgement.low_95, 0.0);
   EXPECT_GT(judgement.bound_95, 1.0 / std::sqrt(3.0));
+  EXPECT_DOUBLE_EQ(judgement.noise_bound_95, judgement.bound_95);
+}
+
+// Every run twice: Σ squares/(n (n − 1)) is Q/12 with four and 2 Q/56 with eight, 3/7 of it, and there are
+// more degrees of freedom.
+TEST(Judge, NoiseBoundFallsWithTheReplicates) {
+  const Judgement few = judge({{-1.0, 1.0, 0.0, 3.0}, {1.0, 2.0, -1.0, 0.5}});
+  const Judgement many =
+      judge({{-1.0, 1.0, 0.0, 3.0, -1.0, 1.0, 0.0, 3.0}, {1.0, 2.0, -1.0, 0.5, 1.0, 2.0, -1.0, 0.5}});
+  EXPECT_LT(many.noise_bound_95, few.noise_bound_95 * std::sqrt(3.0 / 7.0));
+  EXPECT_GT(many.noise_bound_95, 0.8 * few.noise_bound_95 * std::sqrt(3.0 / 7.0));
 }
 
 // The bounds must hold the true error in some 95 of 100 experiments. χ'² is an approximation where sets
