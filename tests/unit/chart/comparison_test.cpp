@@ -9,7 +9,9 @@ namespace {
 
 /// Two sets of two runs: angles 30, 31 and 40, 41, changed by `more` everywhere.
 Samples samples(double more = 0.0, double cpu = 10.0, double density = 1500.0) {
-  const auto run = [&](double angle) { return Sample{"completed", "", angle + more, density, 2.0, cpu, "9-avx2"}; };
+  const auto run = [&](double angle) {
+    return Sample{"completed", "", angle + more, density, 2.0, cpu, "9-avx2"};
+  };
   return {{run(30.0), run(31.0)}, {run(40.0), run(41.0)}};
 }
 

@@ -35,8 +35,8 @@ TEST(DefaultLadder, IsSoundForEveryShippedCase) {
 
 TEST(DefaultLadder, FollowsWhatTheCaseHas) {
   const std::set<std::string> ore = names_of(CaseDocument::load("cases/iron_ore.json"));
-  for (const char* name :
-       {"step 0.6 T_R", "stiffness × 0.01", "packing", "5 shared columns", "one shape", "one size", "spheres", "grain × 2"})
+  for (const char* name : {"step 0.6 T_R", "stiffness × 0.01", "packing", "5 shared columns", "one shape",
+                           "one size", "spheres", "grain × 2"})
     EXPECT_TRUE(ore.contains(name)) << name;
   const std::set<std::string> spheres = names_of(CaseDocument::load("cases/iron_ore_spheres.json"));
   for (const char* name : {"one shape", "one size", "spheres"}) EXPECT_FALSE(spheres.contains(name)) << name;
