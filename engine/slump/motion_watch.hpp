@@ -85,8 +85,13 @@ class MotionWatch {
   [[nodiscard]] bool spilled(const Bodies& bodies, std::size_t i) const;
   void count_spilled(const Bodies& bodies, std::size_t i);
 
-  /// Goes on from what was seen of a column that was made before.
-  void go_on_from(const MotionDiagnosis& diagnosis) { diagnosis_ = diagnosis; }
+  /// Goes on from what was seen of a column that was made before, maybe with other friction: what counts as
+  /// coarse stays this scene's.
+  void go_on_from(const MotionDiagnosis& diagnosis) {
+    const double coarse = diagnosis_.coarse;
+    diagnosis_ = diagnosis;
+    diagnosis_.coarse = coarse;
+  }
 
   [[nodiscard]] const MotionDiagnosis& diagnosis() const { return diagnosis_; }
 

@@ -1,7 +1,5 @@
 #include "engine/slump/shared_column.hpp"
 
-#include <cmath>
-
 namespace repose {
 
 Scene scene_of_column(const Scene& scene) {

@@ -77,7 +77,8 @@ std::string nothing_near(const chart::Chart& chart, double limit) {
     if (rung.completed) noise = std::min(noise, rung.angle.noise_bound_95);
   std::string text =
       fmt::format("no combination can be said to be within {:g}° with 95 % confidence: ", limit);
-  if (noise < limit || !std::isfinite(noise)) return text + "the rungs are too coarse; give finer ones";
+  if (!std::isfinite(noise)) return text + "no rung was completed";
+  if (noise < limit) return text + "the rungs are too coarse; give finer ones, or more replicates";
   const double needed = std::ceil(chart.replicates * std::pow(noise / limit, 2));
   return text + fmt::format("with {} replicates the noise alone leaves {:.2g}° at best; give some {:.0f}",
                             chart.replicates, noise, needed);

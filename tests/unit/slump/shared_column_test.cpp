@@ -68,6 +68,15 @@ TEST(SharedColumn, IsMadeWithItsOwnContactWhateverTheRunsIs) {
   EXPECT_EQ(made.contact.particle_wall.static_friction, scene.contact.particle_wall.static_friction);
 }
 
+TEST(SharedColumn, LeavesToTheRunWhatCountsAsCoarseForItsFriction) {
+  Scene scene = sharing_scene();
+  scene.contact.particle_particle.static_friction = 1.5;
+  const RunOptions options;
+  SlumpTestRun run(scene, 1, options);
+  ASSERT_TRUE(run.fill()) << run.reason();
+  EXPECT_EQ(run.diagnosis().coarse, MotionDiagnosis::kCoarseSticking);
+}
+
 // A turn about the axis leaves heights, distances from the axis and the distances of bodies as they were
 // (tolerance: rounding of 30 mm).
 TEST(SharedColumn, IsTurnedAsAWhole) {
