@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/slump/shared_column.hpp"
 #include "sweep/stored_runs.hpp"
 #include "sweep/study.hpp"
 
@@ -11,14 +12,15 @@ namespace repose::chart {
 
 namespace {
 
-Sample sample_of(const sweep::StoredRun& run) {
+Sample sample_of(const sweep::StoredRun& run, std::optional<std::uint64_t> column) {
   return {run.outcome,
           run.reason,
           run.angle_deg.value_or(0.0),
           run.bulk_density_kg_m3.value_or(0.0),
           run.mass_on_base_kg.value_or(0.0),
           run.cpu_s.value_or(0.0),
-          run.version};
+          run.version,
+          column};
 }
 
 /// The runs of a rung (0: the reference) that are there, up to the first that is missing of each set. A run
@@ -29,9 +31,12 @@ Samples samples_of(const sweep::Plan& plan, std::size_t rung, const sweep::Store
     if (point.rung != rung) continue;
     std::vector<Sample>& set = samples.emplace_back();
     for (int replicate = 1; replicate <= plan.design.ladder.replicates_of(rung); ++replicate) {
-      const sweep::StoredRun* found = runs.find(point.scene, seed_of(plan.design, point.values, replicate));
+      const std::uint64_t seed = seed_of(plan.design, point.values, replicate);
+      const sweep::StoredRun* found = runs.find(point.scene, seed);
       if (found == nullptr) break;
-      set.push_back(sample_of(*found));
+      std::optional<std::uint64_t> column;
+      if (const auto& columns = point.scene.test.shared_columns) column = number_of_column(*columns, seed);
+      set.push_back(sample_of(*found, column));
     }
   }
   return samples;
@@ -66,12 +71,7 @@ void add_reference(Chart& chart, const Samples& reference) {
     chart.reference_failure = fmt::format("{}: {}", failure->outcome, failure->reason);
     return;
   }
-  Differences angles;
-  for (const std::vector<Sample>& set : reference) {
-    std::vector<double>& row = angles.emplace_back();
-    for (const Sample& sample : set) row.push_back(sample.angle);
-  }
-  chart.reference_angle = estimates_of(angles);
+  chart.reference_angle = estimates_of(angles_of(reference));
   chart.scatter = scatter_of_angle(reference);
 }
 

@@ -96,6 +96,7 @@ Json to_json(const Comparison& rung, const sweep::Variant& variant) {
   json["mass_by_friction_percent"] = known(to_json(rung.mass.by_set));
   json["mass_dependence_p"] = known(rung.mass.dependence_p);
   json["off_working_point_deg"] = rung.off_working_point ? to_json(*rung.off_working_point) : Json();
+  json["one_column"] = rung.one_column;
   json["on_front"] = rung.on_front;
   return json;
 }

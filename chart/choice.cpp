@@ -13,9 +13,10 @@ namespace {
 
 /// What the next rung adds to a sum of differences: its own, less those of what it stands on.
 Differences sum_of(Differences sum, const Differences& more, const Differences& ground) {
-  for (std::size_t set = 0; set < sum.size(); ++set)
-    for (std::size_t run = 0; run < sum[set].size(); ++run)
-      sum[set][run] += more[set][run] - ground[set][run];
+  for (std::size_t set = 0; set < sum.rows.size(); ++set)
+    for (std::size_t run = 0; run < sum.rows[set].size(); ++run)
+      sum.rows[set][run] += more.rows[set][run] - ground.rows[set][run];
+  sum.shared = larger(sum.shared, more.shared);  // rungs that share columns share the same ones
   return sum;
 }
 
@@ -27,8 +28,8 @@ class Search {
     if (working_point) {
       ground_ = *working_point;
     } else if (!candidates.empty()) {  // the reference: off by nothing, at its own cost
-      ground_.angle = candidates.front().angle;
-      for (std::vector<double>& set : ground_.angle) std::ranges::fill(set, 0.0);
+      ground_.angle.rows = candidates.front().angle.rows;
+      for (std::vector<double>& set : ground_.angle.rows) std::ranges::fill(set, 0.0);
     }
     for (const Candidate& a : candidates) {
       std::vector<bool>& row = excluded_.emplace_back();
@@ -37,7 +38,7 @@ class Search {
   }
 
   std::vector<Combination> run() {
-    if (ground_.angle.empty()) return {};
+    if (ground_.angle.rows.empty()) return {};
     const Combination alone{{}, ground_.cost_ratio, judge(ground_.angle)};
     if (has_working_point_) keep(alone);
     extend(alone, 0, ground_.angle);

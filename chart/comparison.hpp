@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -13,11 +14,12 @@ namespace repose::chart {
 struct Sample {
   std::string outcome;  ///< name_of(Outcome)
   std::string reason;
-  double angle = 0.0;    ///< [degrees]
-  double density = 0.0;  ///< of the column [kg/m³]
-  double mass = 0.0;     ///< on the base [kg]
-  double cpu = 0.0;      ///< [s]
-  std::string engine;    ///< that made it, with its instruction set
+  double angle = 0.0;                   ///< [degrees]
+  double density = 0.0;                 ///< of the column [kg/m³]
+  double mass = 0.0;                    ///< on the base [kg]
+  double cpu = 0.0;                     ///< [s]
+  std::string engine;                   ///< that made it, with its instruction set
+  std::optional<std::uint64_t> column;  ///< that it shares with others (number_of_column())
 
   [[nodiscard]] bool completed() const { return outcome == "completed"; }
 };
@@ -31,13 +33,15 @@ const Sample* first_failure(const Samples& samples);
 std::map<std::string, int> outcomes_of(const Samples& samples);
 /// Mean CPU time of a run [s].
 double mean_cpu(const Samples& samples);
+/// Their angles [degrees].
+Rows angles_of(const Samples& samples);
 /// Standard deviation of the angle from run to run, root mean square over the sets [degrees]. All runs are
 /// completed.
 double scatter_of_angle(const Samples& samples);
 /// Angle of the one minus that of the other, run by run [degrees]. All runs are completed. Where the test has
 /// m times as many runs as the reference's n, the mean of its runs k, k + n, k + 2 n, … is compared with the
 /// reference's run k: the scatter of the differences then is that of one run of the reference and m of the
-/// test.
+/// test. Where runs of a test share columns the differences know it.
 Differences angle_differences(const Samples& test, const Samples& reference);
 
 /// A rung against the reference. Of a rung with a run that did not complete only name, outcomes, reason and
@@ -58,6 +62,9 @@ struct Comparison {
   /// to run of 3 kg, where one degree of 30 is 3 %. So it shows what depends on the frictions before the
   /// angle does.
   Judgement mass;
+  /// All runs, of it or of the reference, took a single shared column: what that adds to all of them cannot
+  /// be told from them.
+  bool one_column = false;
   bool on_front = false;  ///< no other rung, nor the reference, is both cheaper and nearer
 };
 

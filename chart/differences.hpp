@@ -3,24 +3,25 @@
 #include <cstddef>
 #include <vector>
 
-namespace repose::chart {
+#include "chart/sharing.hpp"
 
-struct Estimate {
-  double value = 0.0;
-  double standard_error = 0.0;
-};
+namespace repose::chart {
 
 /// Differences between two tests of the same seed: one row a set of frictions, one entry a replicate. Every
 /// row has two entries at least.
-using Differences = std::vector<std::vector<double>>;
+struct Differences {
+  Rows rows;
+  SharedPart shared;  ///< what runs that share columns add to the covariance of the means of the sets
+};
 
 /// What the differences say of the error of a simplification. δ is the true difference of a set of frictions,
 /// d its mean over the replicates.
 struct Judgement {
-  std::vector<Estimate> by_set;  ///< d of each set, its error from the set's own scatter
-  Estimate mean;                 ///< over all sets
-  double mean_bound_95 = 0.0;    ///< |mean of δ| is below this with 95 % confidence (Schuirmann 1987)
-  Estimate worst;                ///< the set whose d is farthest from 0
+  /// d of each set, its error from the set's own scatter and what shared columns add.
+  std::vector<Estimate> by_set;
+  Estimate mean;               ///< over all sets
+  double mean_bound_95 = 0.0;  ///< |mean of δ| is below this with 95 % confidence (Schuirmann 1987)
+  Estimate worst;              ///< the set whose d is farthest from 0
   std::size_t worst_at = 0;
   /// Significance of the differences between the sets (F test of Welch 1951); 1 with one set.
   double dependence_p = 1.0;
@@ -33,9 +34,6 @@ struct Judgement {
   /// What the bound would be if the differences were of the size of their noise. It falls as 1/√n.
   double noise_bound_95 = 0.0;
 };
-
-/// The mean of each set and its standard error, s/√n with the s of that set.
-std::vector<Estimate> estimates_of(const Differences& differences);
 
 Judgement judge(const Differences& differences);
 

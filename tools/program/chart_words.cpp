@@ -73,6 +73,13 @@ std::string in_words(const chart::Chart& chart) {
   for (const chart::Comparison& rung : chart.rungs)
     if (!rung.completed)
       text += fmt::format("{}: not completed ({}): {}\n", rung.name, in_words(rung.outcomes), rung.reason);
+  for (const chart::Comparison& rung : chart.rungs)
+    if (rung.one_column)
+      text += fmt::format(
+          "{}: all runs settle the same column, and what it has of its own stands in no error: two columns "
+          "or "
+          "more (/test/shared_columns/count) show it\n",
+          rung.name);
   if (chart.missing_runs > 0) text += so_far(chart);
   if (chart.engines.size() > 1)
     text +=

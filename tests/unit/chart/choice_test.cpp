@@ -18,7 +18,7 @@ Candidate candidate(const std::string& name, std::vector<std::string> pointers, 
   Candidate rung{name, std::move(pointers), {}, cost_ratio};
   RandomStream own(5, stream), shared(6, 0);
   for (int set = 0; set < 3; ++set) {
-    std::vector<double>& row = rung.angle.emplace_back();
+    std::vector<double>& row = rung.angle.rows.emplace_back();
     for (int run = 0; run < 8; ++run) row.push_back(error + noise * own.normal() - noise * shared.normal());
   }
   return rung;
@@ -67,7 +67,7 @@ TEST(CombinationsWithin, AreAllThatThereAre) {
       for (const std::size_t other : combination.rungs)
         allowed = allowed && !exclude_each_other(rungs[k], rungs[other]);
       combination.rungs.push_back(k);
-      sum += rungs[k].angle[0][0];
+      sum += rungs[k].angle.rows[0][0];
     }
     if (allowed && std::abs(sum) < 0.5) expected[name_of(combination, rungs)] = std::abs(sum);
   }

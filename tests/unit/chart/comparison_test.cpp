@@ -10,7 +10,7 @@ namespace {
 /// Two sets of two runs: angles 30, 31 and 40, 41, changed by `more` everywhere.
 Samples samples(double more = 0.0, double cpu = 10.0, double density = 1500.0) {
   const auto run = [&](double angle) {
-    return Sample{"completed", "", angle + more, density, 2.0, cpu, "9-avx2"};
+    return Sample{"completed", "", angle + more, density, 2.0, cpu, "9-avx2", {}};
   };
   return {{run(30.0), run(31.0)}, {run(40.0), run(41.0)}};
 }
@@ -51,6 +51,31 @@ TEST(Compare, ShowsWhereTheMassOnTheBaseDependsOnTheFrictions) {
   EXPECT_NEAR(std::abs(rung.mass.worst.value), 2.0, 1e-10);
   EXPECT_TRUE(rung.mass.depends_on_friction);
   EXPECT_FALSE(rung.angle.depends_on_friction);
+}
+
+TEST(Compare, KnowsWhichRunsShareAColumn) {
+  // Runs of one column are off the same way: two columns for four runs of a set leave one degree of freedom.
+  const double off[] = {1.0, 1.2, -1.0, -1.2};
+  const Sample run{"completed", "", 30.0, 1500.0, 2.0, 10.0, "9-avx2", {}};
+  const Samples reference(2, std::vector<Sample>(4, run));
+  Samples test = reference;
+  for (std::vector<Sample>& set : test)
+    for (std::size_t k = 0; k < 4; ++k) set[k].angle += off[k];
+  const Comparison apart = compare("own columns", test, reference);
+  for (std::vector<Sample>& set : test)
+    for (std::size_t k = 0; k < 4; ++k) set[k].column = k / 2;
+  const Comparison shared = compare("shared columns", test, reference);
+  EXPECT_EQ(shared.angle.mean.value, apart.angle.mean.value);
+  // One way analysis of variance: the mean of eight runs has the variance MS between columns / 8; without
+  // columns it is that of all, with six degrees.
+  EXPECT_NEAR(std::pow(apart.angle.mean.standard_error, 2), 2.0 * 4.88 / 6.0 / 8.0, 1e-12);
+  EXPECT_NEAR(std::pow(shared.angle.mean.standard_error, 2), 8.0 * 1.21 / 8.0, 1e-12);
+  EXPECT_GT(shared.angle.bound_95, apart.angle.bound_95);
+  EXPECT_FALSE(apart.one_column);
+  EXPECT_FALSE(shared.one_column);
+  for (std::vector<Sample>& set : test)
+    for (Sample& sample : set) sample.column = 3;
+  EXPECT_TRUE(compare("one column", test, reference).one_column);
 }
 
 TEST(Compare, NamesTheOutcomesOfARungThatFails) {

@@ -12,9 +12,12 @@ namespace {
 // t(0.95, 2) = √2 · 0.9/√(1 − 0.9²), the closed form of two degrees of freedom.
 const double kT2 = std::sqrt(2.0) * 0.9 / std::sqrt(0.19);
 
+/// Of runs that share nothing.
+Judgement judge_rows(Rows rows) { return judge({std::move(rows), {}}); }
+
 TEST(Judge, GivesMeansAndErrorsOfSmallNumbers) {
   // Means 2 and 4, both of the variance 1 with one degree of freedom; together two degrees.
-  const Judgement judgement = judge({{1.0, 3.0}, {3.0, 5.0}});
+  const Judgement judgement = judge_rows({{1.0, 3.0}, {3.0, 5.0}});
   EXPECT_DOUBLE_EQ(judgement.by_set[0].value, 2.0);
   EXPECT_DOUBLE_EQ(judgement.by_set[1].value, 4.0);
   EXPECT_DOUBLE_EQ(judgement.by_set[0].standard_error, 1.0);
@@ -28,7 +31,7 @@ TEST(Judge, GivesMeansAndErrorsOfSmallNumbers) {
 }
 
 TEST(Judge, TakesEachSetsOwnScatter) {
-  const Judgement judgement = judge({{-0.1, 0.1}, {-2.0, 2.0}});
+  const Judgement judgement = judge_rows({{-0.1, 0.1}, {-2.0, 2.0}});
   EXPECT_NEAR(judgement.by_set[0].standard_error, 0.1, 1e-12);
   EXPECT_NEAR(judgement.by_set[1].standard_error, 2.0, 1e-12);
   EXPECT_NEAR(judgement.mean.standard_error, std::sqrt(4.01) / 2.0, 1e-12);
@@ -37,7 +40,7 @@ TEST(Judge, TakesEachSetsOwnScatter) {
 // The bound of one set is that of a mean, |d| + t s/√n, where that is far from 0: 23 times its variance here,
 // so that the other tail is below 1e-20.
 TEST(Judge, BoundsOneSetAsAMean) {
-  const Judgement judgement = judge({{-1.0, -1.2, -0.8}});
+  const Judgement judgement = judge_rows({{-1.0, -1.2, -0.8}});
   EXPECT_EQ(judgement.dependence_p, 1.0);
   EXPECT_NEAR(judgement.bound_95, 1.0 + kT2 * 0.2 / std::sqrt(3.0), 1e-9);
   EXPECT_NEAR(judgement.low_95, 1.0 - kT2 * 0.2 / std::sqrt(3.0), 1e-9);
@@ -45,7 +48,7 @@ TEST(Judge, BoundsOneSetAsAMean) {
 }
 
 TEST(Judge, ErrorIsNotHiddenByTheMean) {
-  const Judgement judgement = judge({{0.9, 1.0, 1.1}, {-1.1, -1.0, -0.9}, {0.0, 0.1, -0.1}});
+  const Judgement judgement = judge_rows({{0.9, 1.0, 1.1}, {-1.1, -1.0, -0.9}, {0.0, 0.1, -0.1}});
   EXPECT_NEAR(judgement.mean.value, 0.0, 1e-12);
   EXPECT_TRUE(judgement.depends_on_friction);
   EXPECT_NEAR(judgement.error, std::sqrt(2.0 / 3.0), 1e-12);
@@ -56,18 +59,18 @@ TEST(Judge, ErrorIsNotHiddenByTheMean) {
 // Ten plants each of Dobson's (1983) weights of plants under control and two treatments: Welch's F = 5.181
 // with 2 and 17.128 degrees, p = 0.01739. Tolerance: the last digit.
 TEST(Judge, TellsSetsOfOwnScatterApartAsWelchDoes) {
-  const Judgement judgement = judge({{4.17, 5.58, 5.18, 6.11, 4.50, 4.61, 5.17, 4.53, 5.33, 5.14},
-                                     {4.81, 4.17, 4.41, 3.59, 5.87, 3.83, 6.03, 4.89, 4.32, 4.69},
-                                     {6.31, 5.12, 5.54, 5.50, 5.37, 5.29, 4.92, 6.15, 5.80, 5.26}});
+  const Judgement judgement = judge_rows({{4.17, 5.58, 5.18, 6.11, 4.50, 4.61, 5.17, 4.53, 5.33, 5.14},
+                                          {4.81, 4.17, 4.41, 3.59, 5.87, 3.83, 6.03, 4.89, 4.32, 4.69},
+                                          {6.31, 5.12, 5.54, 5.50, 5.37, 5.29, 4.92, 6.15, 5.80, 5.26}});
   EXPECT_NEAR(judgement.dependence_p, 0.01739, 5e-6);
 }
 
 TEST(Judge, SaysNothingOfNoise) {
-  const Judgement same = judge({{0.0, 0.0}, {0.0, 0.0}});
+  const Judgement same = judge_rows({{0.0, 0.0}, {0.0, 0.0}});
   EXPECT_EQ(same.bound_95, 0.0);
   EXPECT_EQ(same.mean_bound_95, 0.0);
   EXPECT_FALSE(same.depends_on_friction);
-  const Judgement sure = judge({{1.0, 1.0}, {0.0, 0.0}});
+  const Judgement sure = judge_rows({{1.0, 1.0}, {0.0, 0.0}});
   EXPECT_EQ(sure.error, std::sqrt(0.5));
   EXPECT_EQ(sure.bound_95, sure.error);
   EXPECT_TRUE(sure.depends_on_friction);
@@ -75,7 +78,7 @@ TEST(Judge, SaysNothingOfNoise) {
 
 // Differences that cancel by luck are no proof: the bound stays above the noise of a set.
 TEST(Judge, BoundIsNotBelowTheNoise) {
-  const Judgement judgement = judge({{-1.0, 1.0, 0.0}, {1.0, 0.0, -1.0}, {0.0, -1.0, 1.0}});
+  const Judgement judgement = judge_rows({{-1.0, 1.0, 0.0}, {1.0, 0.0, -1.0}, {0.0, -1.0, 1.0}});
   EXPECT_EQ(judgement.error, 0.0);
   EXPECT_EQ(judgement.low_95, 0.0);
   EXPECT_GT(judgement.bound_95, 1.0 / std::sqrt(3.0));
@@ -85,9 +88,9 @@ TEST(Judge, BoundIsNotBelowTheNoise) {
 // Every run twice: Σ squares/(n (n − 1)) is Q/12 with four and 2 Q/56 with eight, 3/7 of it, and there are
 // more degrees of freedom.
 TEST(Judge, NoiseBoundFallsWithTheReplicates) {
-  const Judgement few = judge({{-1.0, 1.0, 0.0, 3.0}, {1.0, 2.0, -1.0, 0.5}});
+  const Judgement few = judge_rows({{-1.0, 1.0, 0.0, 3.0}, {1.0, 2.0, -1.0, 0.5}});
   const Judgement many =
-      judge({{-1.0, 1.0, 0.0, 3.0, -1.0, 1.0, 0.0, 3.0}, {1.0, 2.0, -1.0, 0.5, 1.0, 2.0, -1.0, 0.5}});
+      judge_rows({{-1.0, 1.0, 0.0, 3.0, -1.0, 1.0, 0.0, 3.0}, {1.0, 2.0, -1.0, 0.5, 1.0, 2.0, -1.0, 0.5}});
   EXPECT_LT(many.noise_bound_95, few.noise_bound_95 * std::sqrt(3.0 / 7.0));
   EXPECT_GT(many.noise_bound_95, 0.8 * few.noise_bound_95 * std::sqrt(3.0 / 7.0));
 }
@@ -109,7 +112,7 @@ TEST(Judge, BoundsHoldTheTrueErrorAsOftenAsTheySay) {
     for (int experiment = 0; experiment < 2000; ++experiment) {
       Differences differences;
       for (std::size_t set = 0; set < truth.means.size(); ++set) {
-        std::vector<double>& row = differences.emplace_back();
+        std::vector<double>& row = differences.rows.emplace_back();
         for (int run = 0; run < 5; ++run)
           row.push_back(truth.means[set] + truth.scatter[set] * random.normal());
       }
