@@ -50,7 +50,7 @@ sweep::Variant anywhere(sweep::Variant variant, const Chart& chart);
 std::optional<Candidate> working_point_of(const Chart& chart);
 
 /// The rungs that a combination may be made of: completed and cheaper than the reference; on a working point
-/// cheaper than that, or nearer the reference with 95 % confidence.
+/// cheaper than that, or with a smaller bound of the error.
 std::vector<Candidate> candidates_of(const Chart& chart);
 
 /// A combination as a rung of its own, with paths that can be found from anywhere.

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "fit/fit_json.hpp"
@@ -100,6 +101,20 @@ Estimate estimate(Reader& reader, const std::string& name) {
   return result;
 }
 
+/// Symmetric and positive semidefinite, but for the rounding of numbers written with seven digits; its
+/// diagonal is not negative.
+bool is_covariance(const Eigen::Matrix4d& matrix) {
+  constexpr double kDigits = 1e-6;
+  Eigen::Vector4d scale = matrix.diagonal().cwiseSqrt();
+  for (double& s : scale) s = s > 0.0 ? 1.0 / s : 0.0;
+  const Eigen::Matrix4d correlation = scale.asDiagonal() * matrix * scale.asDiagonal();
+  for (Eigen::Index i = 0; i < 4; ++i)
+    for (Eigen::Index j = 0; j < 4; ++j)
+      if (scale[i] * scale[j] == 0.0 && matrix(i, j) != 0.0) return false;
+  if (!correlation.allFinite() || !correlation.isApprox(correlation.transpose(), kDigits)) return false;
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(correlation).eigenvalues().minCoeff() > -kDigits;
+}
+
 void read_covariance(Reader& reader, PowerLaw& law) {
   if (!reader.has("/covariance")) return;
   const json& rows = reader.at("/covariance");
@@ -114,8 +129,13 @@ void read_covariance(Reader& reader, PowerLaw& law) {
       const double factor = (i == 0 ? law.C.value : 1.0) * (j == 0 ? law.C.value : 1.0);
       law.covariance(i, j) = reader.optional(fmt::format("/covariance/{}/{}", i, j), 0.0) / factor;
     }
-    if (law.covariance(i, i) < 0.0) reader.fault(fmt::format("/covariance/{}/{}", i, i), "must be >= 0");
+    if (law.covariance(i, i) < 0.0) {
+      reader.fault(fmt::format("/covariance/{}/{}", i, i), "must be >= 0");
+      return;
+    }
   }
+  if (!is_covariance(law.covariance))
+    reader.fault("/covariance", "must be symmetric and positive semidefinite (are all its digits there?)");
 }
 
 void read_error(Reader& reader, PowerLaw& law) {
@@ -125,7 +145,7 @@ void read_error(Reader& reader, PowerLaw& law) {
   law.error.pure_error = reader.optional("/pure_error_deg", Reader::kNaN);
   law.error.lack_of_fit_p = reader.optional("/lack_of_fit_p", Reader::kNaN);
   if (law.error.standard_deviation < 0.0) reader.fault("/residual_sd_deg", "must be >= 0");
-  if (law.error.degrees_of_freedom <= 0.0) reader.fault("/degrees_of_freedom", "must be > 0");
+  if (law.error.degrees_of_freedom < 1.0) reader.fault("/degrees_of_freedom", "must be >= 1");
   law.worst_error = reader.optional("/worst_error_deg", Reader::kNaN);
   law.rms_error = reader.optional("/rms_error_deg", Reader::kNaN);
   law.r_squared = reader.optional("/r_squared", Reader::kNaN);

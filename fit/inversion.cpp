@@ -96,17 +96,17 @@ Band solve_for(const PowerLaw& law, const Question& question, Factor unknown, Fa
   Eigen::Vector4d h = law.log_row(at);
   h(k) = log_value;
 
+  const double t2 = std::pow(student_t_quantile(0.975, law.error.degrees_of_freedom), 2);
+  const double z2 = std::pow(student_t_quantile(0.975, std::numeric_limits<double>::infinity()), 2);
   const double of_law =
       h.dot(law.covariance * h) + std::pow(law.error.standard_deviation / question.angle, 2);
-  const double total = of_law + std::pow(question.sigma / question.angle, 2);
-  const double freedom = of_law > 0.0 ? law.error.degrees_of_freedom * std::pow(total / of_law, 2)
-                                      : std::numeric_limits<double>::infinity();
-  const double t2 = std::pow(student_t_quantile(0.975, freedom), 2);
+  const double of_measurement = std::pow(question.sigma / question.angle, 2);
 
-  // (power δ)² ≤ t² (V + 2 δ (Σh)_k + δ² Σ_kk) with δ = ln x − ln x*: between the roots of A δ² − 2 B δ − D.
+  // (power δ)² ≤ t² (V + 2 δ (Σh)_k + δ² Σ_kk) + z² σ²/α² with δ = ln x − ln x*: between the roots of A δ² −
+  // 2 B δ − D.
   const double A = power * power - t2 * law.covariance(k, k);
   const double B = t2 * law.covariance.row(k).dot(h);
-  const double D = t2 * total;
+  const double D = t2 * of_law + z2 * of_measurement;
   Band band{std::exp(log_value), domain, true, A > 0.0};
   if (!band.bounded) return band;
   const double root = std::sqrt(B * B + A * D);
@@ -249,6 +249,8 @@ Inversion invert(const PowerLaw& law, const Question& question) {
         question.angle * (std::pow(e.high / result.e, power) - std::pow(e.low / result.e, power));
   }
   const bool curve = is_free(law, Factor::mu_s) && is_free(law, Factor::mu_r);
+  if (curve && law.b.value == 0.0 && law.c.value == 0.0)
+    throw Unusable("the angle depends on neither mu_s nor mu_r in this equation");
   const bool solve_mu_s = is_free(law, Factor::mu_s) && !question.mu_s;
   result.reachable = reachable_range(law, result.e, law.domain.mu_s, law.domain.mu_r);
   if (!curve || question.mu_s || question.mu_r) {

@@ -179,13 +179,14 @@ PowerLaw fit_power_law(std::span<const Observation> table, Loss loss) {
 
   PowerLaw law;
   law.loss = loss;
-  law.error = judge_error(least_squares, problem, selection.point_of, selection.distinct_points);
+  law.error = judge_error(least_squares, problem, selection);
   law.domain = domain_of(selection.used);
   law.points = static_cast<int>(selection.used.size());
   law.distinct_points = selection.distinct_points;
   if (loss == Loss::minimax) {
     const PowerSolution minimax = solve_minimax(problem, least_squares.theta);
-    place_parameters(law, selection, minimax.theta, minimax_covariance(problem, least_squares, law.error));
+    place_parameters(law, selection, minimax.theta,
+                     minimax_covariance(problem, least_squares, selection, law.error));
     place_errors(law, selection.used, minimax.residual);
     if (minimax.optimality > kGapWorthSaying) {
       law.remarks.push_back(fmt::format("the worst error may be up to {:.2g} % above the smallest possible",
@@ -193,7 +194,7 @@ PowerLaw fit_power_law(std::span<const Observation> table, Loss loss) {
     }
   } else {
     place_parameters(law, selection, least_squares.theta,
-                     jacobian_covariance(least_squares.jacobian, law.error.standard_deviation));
+                     least_squares_covariance(least_squares, selection, law.error));
     place_errors(law, selection.used, least_squares.residual);
   }
   add_remarks(law, selection);

@@ -49,7 +49,8 @@ struct Excluded {
 
 /// How the scatter about the law was judged.
 struct ErrorModel {
-  double standard_deviation = 0.0;  ///< of one angle about the law [deg]
+  double standard_deviation = 0.0;  ///< of one angle about the law, √(τ² + σ²) [deg]
+  double misfit = 0.0;              ///< τ, of the law at a point, which all its repeats share [deg]
   double degrees_of_freedom = 0.0;
   /// Scatter of repeats about their own mean [deg]; NaN without repeats.
   double pure_error = std::numeric_limits<double>::quiet_NaN();
@@ -96,12 +97,16 @@ struct PowerLaw {
 /// factor that varies is 0 there (the law is 0 or infinite). A factor that does not vary has no exponent to
 /// find: it is 0 and `identified` is false.
 ///
-/// Standard errors, least squares: s² (JᵀJ)⁻¹ with J the Jacobian. Repeats at the same factors share the
-/// law's error there, so that they do not count as independent where the law does not hold: with repeats, s²
-/// and its degrees of freedom are those of the lack of fit (points − parameters) unless an F test finds no
-/// lack of fit at the 25 % level that Bancroft (1964) advises for pooling; then they are those of all rows
-/// (rows − parameters). Minimax has no such theory: its covariance is that of 200 refits to angles with
-/// resampled errors (a bootstrap with a fixed seed).
+/// Standard errors, least squares: an angle misses the law by τ at its factors, which all repeats there
+/// share, and by σ of its own, so that
+///   Cov θ = (JᵀJ)⁻¹ (σ² JᵀJ + τ² Σ_p s_p s_pᵀ) (JᵀJ)⁻¹,   s_p = Σ over the rows at the factors p of J's
+///   rows.
+/// Repeats are no witnesses of the law: with ten a point instead of one σ²/10 is left beside τ². σ² is the
+/// mean square of repeats about their means and τ² what the lack of fit has beyond it (method of moments),
+/// with the degrees of freedom of the lack of fit (points − parameters); unless an F test finds no lack of
+/// fit at the 25 % level that Bancroft (1964) advises for pooling: then τ = 0 and σ² is that of all rows
+/// (rows − parameters). Without repeats likewise. Minimax has no such theory: its covariance is that of 200
+/// refits to angles that are drawn anew by the same two (a parametric bootstrap with a fixed seed).
 ///
 /// Where some rows are of a cheap test (Observation::cheap), both tests are fitted together and the law
 /// returned is that of the others (two_fidelities.hpp); by least squares only.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 namespace repose::fit {
 namespace {
@@ -40,23 +41,33 @@ bool varies(const std::vector<Observation>& rows, Factor factor) {
   return largest - value_of(factors_of(*low), factor) > kSameValue * largest;
 }
 
-// A zero only harms where the factor varies: a table simulated at e = 0 throughout still has a law in μs, μr.
-void exclude_zeros(Selection& selection) {
-  std::vector<Factor> at_risk;
-  std::copy_if(kFactors.begin(), kFactors.end(), std::back_inserter(at_risk),
-               [&](Factor factor) { return varies(selection.used, factor); });
-  std::vector<Observation> kept;
-  for (Observation& row : selection.used) {
-    const auto zero = std::find_if(at_risk.begin(), at_risk.end(),
-                                   [&](Factor f) { return value_of(factors_of(row), f) == 0.0; });
-    if (zero == at_risk.end()) {
-      kept.push_back(std::move(row));
-    } else {
-      const std::string reason = fmt::format("{} = 0: a power law cannot take a factor at 0", name_of(*zero));
-      selection.excluded.push_back({std::move(row), reason});
-    }
+/// The factor that varies and is 0 in the fewest rows, if one is.
+std::optional<Factor> fewest_zeros(const std::vector<Observation>& rows) {
+  std::optional<Factor> fewest;
+  std::ptrdiff_t least = 0;
+  for (const Factor factor : kFactors) {
+    if (!varies(rows, factor)) continue;
+    const auto zeros = std::ranges::count_if(
+        rows, [factor](const Observation& row) { return value_of(factors_of(row), factor) == 0.0; });
+    if (zeros > 0 && (!fewest || zeros < least)) fewest = factor, least = zeros;
   }
-  selection.used = std::move(kept);
+  return fewest;
+}
+
+// A zero only harms where the factor varies: a table simulated at e = 0 throughout still has a law in μs, μr.
+// Whether it does can hang on rows that go for another factor's zero.
+void exclude_zeros(Selection& selection) {
+  while (const auto factor = fewest_zeros(selection.used)) {
+    const std::string reason = fmt::format("{} = 0: a power law cannot take a factor at 0", name_of(*factor));
+    std::vector<Observation> kept;
+    for (Observation& row : selection.used) {
+      if (value_of(factors_of(row), *factor) == 0.0)
+        selection.excluded.push_back({std::move(row), reason});
+      else
+        kept.push_back(std::move(row));
+    }
+    selection.used = std::move(kept);
+  }
 }
 
 std::string reasons_of(const std::vector<Excluded>& excluded) {
@@ -79,19 +90,21 @@ std::vector<double> settings_of(const std::vector<Observation>& rows, Factor fac
 }
 
 void number_distinct_points(Selection& selection) {
-  std::map<std::vector<double>, int> number;
+  std::map<std::vector<double>, int> points, places;
   std::vector<std::vector<double>> settings;
   for (const Factor factor : selection.varying) settings.push_back(settings_of(selection.used, factor));
   for (const Observation& row : selection.used) {
-    std::vector<double> key = {row.cheap ? 1.0 : 0.0};
+    std::vector<double> key;
     for (std::size_t k = 0; k < settings.size(); ++k) {
       const double value = value_of(factors_of(row), selection.varying[k]);
       key.push_back(*std::prev(std::upper_bound(settings[k].begin(), settings[k].end(), value)));
     }
-    const int next = static_cast<int>(number.size());
-    selection.point_of.push_back(number.emplace(std::move(key), next).first->second);
+    selection.place_of.push_back(places.emplace(key, static_cast<int>(places.size())).first->second);
+    key.push_back(row.cheap ? 1.0 : 0.0);
+    selection.point_of.push_back(points.emplace(key, static_cast<int>(points.size())).first->second);
   }
-  selection.distinct_points = static_cast<int>(number.size());
+  selection.distinct_points = static_cast<int>(points.size());
+  selection.places = static_cast<int>(places.size());
 }
 
 std::string list_of(const std::vector<Factor>& factors) {

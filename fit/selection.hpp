@@ -26,6 +26,8 @@ struct Selection {
   std::vector<Factor> varying;  ///< in the order of kFactors
   int distinct_points = 0;      ///< rows of `used` that differ in their factors or their test
   std::vector<int> point_of;    ///< number of the distinct point of each row of `used`
+  int places = 0;               ///< rows of `used` that differ in their factors
+  std::vector<int> place_of;    ///< number of the place of each
 };
 
 /// Sorts the rows. Throws Unusable where what is left cannot be fitted (see fit_power_law).

@@ -25,7 +25,8 @@ struct PowerSolution {
 Eigen::VectorXd log_linear_start(const PowerProblem& problem);
 
 /// min over θ of Σ (predicted − y)², not of its logarithm, by NLopt's SLSQP in coordinates in which the
-/// Hessian is near the identity, restarted until the gradient vanishes.
+/// Hessian is near the identity, restarted until the gradient vanishes. Where no law is near the points
+/// (angles over decades, most of the scatter left) the minimum next to `start` need not be the least one.
 /// @param start  θ to begin from, k + 1
 /// Requires at least k + 1 points and a full rank of (1, ln x). Throws Unusable if it does not converge.
 PowerSolution solve_least_squares(const PowerProblem& problem, const Eigen::VectorXd& start);

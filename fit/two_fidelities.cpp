@@ -157,9 +157,8 @@ TwoFidelityFit solve_two_fidelities(const Selection& selection) {
   const Chosen chosen = best_of_all_subsets(problem);
 
   TwoFidelityFit fit;
-  fit.error = judge_error(chosen.solution, chosen.problem, selection.point_of, selection.distinct_points);
-  const Eigen::MatrixXd covariance =
-      jacobian_covariance(chosen.solution.jacobian, fit.error.standard_deviation);
+  fit.error = judge_error(chosen.solution, chosen.problem, selection);
+  const Eigen::MatrixXd covariance = least_squares_covariance(chosen.solution, selection, fit.error);
   fit.correction = correction_of(chosen, problem, covariance, fit.error.degrees_of_freedom);
 
   // The reference's parameters are sums of the cheap law's and the correction's.

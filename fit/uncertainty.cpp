@@ -2,7 +2,9 @@
 
 #include <Eigen/QR>
 #include <cmath>
+#include <limits>
 #include <random>
+#include <vector>
 
 #include "fit/distributions.hpp"
 
@@ -12,6 +14,9 @@ namespace {
 constexpr int kRefits = 200;               // a standard error to about 5 %
 constexpr std::uint64_t kSeed = 20170520;  // any number: fixed, so that a fit is a function of its table
 constexpr double kPoolingLevel = 0.25;
+
+// A mean square below this, relative to the mean angle, is that of the arithmetic: exact data lack no fit.
+constexpr double kRoundingAlone = 1e-9;
 
 // Sum of squares of the rows about the mean of their distinct point.
 double pure_error_sum(const Eigen::VectorXd& response, const std::vector<int>& point_of, int points) {
@@ -29,57 +34,102 @@ double pure_error_sum(const Eigen::VectorXd& response, const std::vector<int>& p
   return total;
 }
 
+/// (JᵀJ)⁻¹
+Eigen::MatrixXd inverse_of_squares(const Eigen::MatrixXd& jacobian) {
+  const Eigen::Index size = jacobian.cols();
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(jacobian);
+  const Eigen::MatrixXd inverse =
+      qr.matrixQR().topRows(size).triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(size, size));
+  return inverse * inverse.transpose();
+}
+
+/// s_p, a row for every place: rows of the Jacobian that share the law's misfit, added up.
+Eigen::MatrixXd by_place(const Eigen::MatrixXd& jacobian, const Selection& selection) {
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(selection.places, jacobian.cols());
+  for (Eigen::Index i = 0; i < jacobian.rows(); ++i)
+    sums.row(selection.place_of[static_cast<std::size_t>(i)]) += jacobian.row(i);
+  return sums;
+}
+
+/// τ² of a lack of fit: of its sum of squares τ² has N − tr((JᵀJ)⁻¹ Σ s_p s_pᵀ), σ² its degrees of freedom.
+double misfit_variance(const PowerSolution& fit, const Selection& selection, double lack, double freedom,
+                       double own) {
+  const Eigen::MatrixXd sums = by_place(fit.jacobian, selection);
+  const double share = static_cast<double>(fit.jacobian.rows()) -
+                       (inverse_of_squares(fit.jacobian) * (sums.transpose() * sums)).trace();
+  return share > 0.0 ? std::max(0.0, (lack - freedom * own) / share) : 0.0;
+}
+
 }  // namespace
 
-ErrorModel judge_error(const PowerSolution& fit, const PowerProblem& problem,
-                       const std::vector<int>& point_of, int distinct_points) {
-  const double rows = static_cast<double>(problem.response.size());
-  const double points = distinct_points;
-  const double parameters = static_cast<double>(fit.theta.size());
+ErrorModel judge_error(const PowerSolution& fit, const PowerProblem& problem, const Selection& selection) {
+  const auto rows = static_cast<double>(problem.response.size()),
+             points = static_cast<double>(selection.distinct_points),
+             parameters = static_cast<double>(fit.theta.size());
   const double total = fit.residual.squaredNorm();
   ErrorModel error;
   error.degrees_of_freedom = rows - parameters;
   error.standard_deviation = std::sqrt(total / error.degrees_of_freedom);
   if (rows <= points) return error;
 
-  const double pure = pure_error_sum(problem.response, point_of, distinct_points);
+  const double pure = pure_error_sum(problem.response, selection.point_of, selection.distinct_points);
   const double pure_mean_square = pure / (rows - points);
-  const double lack_mean_square = std::max(0.0, total - pure) / (points - parameters);
   error.pure_error = std::sqrt(pure_mean_square);
-  const double ratio = lack_mean_square > 0.0 ? lack_mean_square / pure_mean_square : 0.0;
-  error.lack_of_fit_p = f_upper_tail(ratio, points - parameters, rows - points);
+  const double freedom = points - parameters;
+  if (!(freedom > 0.0)) {
+    error.degrees_of_freedom = rows - points;
+    error.standard_deviation = error.pure_error;
+    return error;
+  }
+  const double lack = std::max(0.0, total - pure);
+  const bool exact = std::sqrt(lack / freedom) <= kRoundingAlone * problem.response.mean();
+  error.lack_of_fit_p = f_upper_tail(exact ? 0.0 : lack / freedom / pure_mean_square, freedom, rows - points);
   if (error.lack_of_fit_p < kPoolingLevel) {
-    error.degrees_of_freedom = points - parameters;
-    error.standard_deviation = std::sqrt(lack_mean_square);
+    const double variance = misfit_variance(fit, selection, lack, freedom, pure_mean_square);
+    // Tests at the same factors share the misfit there: so many of them tell of it.
+    const double of_places = static_cast<double>(selection.places) - parameters;
+    error.degrees_of_freedom = of_places > 0.0 ? std::min(freedom, of_places) : freedom;
+    error.misfit = std::sqrt(variance);
+    error.standard_deviation = std::sqrt(variance + pure_mean_square);
   }
   return error;
 }
 
-Eigen::MatrixXd jacobian_covariance(const Eigen::MatrixXd& jacobian, double standard_deviation) {
-  const Eigen::Index size = jacobian.cols();
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(jacobian);
-  const Eigen::MatrixXd inverse =
-      qr.matrixQR().topRows(size).triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(size, size));
-  return standard_deviation * standard_deviation * (inverse * inverse.transpose());
+Eigen::MatrixXd least_squares_covariance(const PowerSolution& fit, const Selection& selection,
+                                         const ErrorModel& error) {
+  const Eigen::MatrixXd inverse = inverse_of_squares(fit.jacobian);
+  const double misfit = error.misfit * error.misfit;
+  const double own = error.standard_deviation * error.standard_deviation - misfit;
+  Eigen::MatrixXd covariance = own * inverse;
+  if (misfit > 0.0) {
+    const Eigen::MatrixXd sums = by_place(fit.jacobian, selection) * inverse;
+    covariance += misfit * (sums.transpose() * sums);
+  }
+  return covariance;
 }
 
 Eigen::MatrixXd minimax_covariance(const PowerProblem& problem, const PowerSolution& least_squares,
-                                   const ErrorModel& error) {
+                                   const Selection& selection, const ErrorModel& error) {
   const Eigen::Index rows = problem.response.size();
-  const Eigen::Index size = least_squares.theta.size();
-  const double rms = std::sqrt(least_squares.residual.squaredNorm() / static_cast<double>(rows));
-  const double scale = rms > 0.0 ? error.standard_deviation / rms : 0.0;
+  const double own = std::sqrt(
+      std::max(0.0, error.standard_deviation * error.standard_deviation - error.misfit * error.misfit));
   const Eigen::VectorXd law = problem.response + least_squares.residual;
   std::mt19937_64 draw(kSeed);  // its numbers are fixed by the standard, unlike those of distributions
-  Eigen::MatrixXd thetas(kRefits, size);
-  PowerProblem resampled = problem;
+  const auto normal = [&draw] {
+    const double uniform = (static_cast<double>(draw() >> 11) + 0.5) * 0x1.0p-53;
+    return student_t_quantile(uniform, std::numeric_limits<double>::infinity());
+  };
+  Eigen::MatrixXd thetas(kRefits, least_squares.theta.size());
+  PowerProblem drawn = problem;
+  std::vector<double> misfit(static_cast<std::size_t>(selection.places));
   for (int refit = 0; refit < kRefits; ++refit) {
+    for (double& shared : misfit) shared = error.misfit > 0.0 ? error.misfit * normal() : 0.0;
     for (Eigen::Index i = 0; i < rows; ++i) {
-      const auto drawn = static_cast<Eigen::Index>(draw() % static_cast<std::uint64_t>(rows));
+      const auto place = static_cast<std::size_t>(selection.place_of[static_cast<std::size_t>(i)]);
       // A flat heap may draw an error larger than its angle; an angle stays above 0.
-      resampled.response(i) = std::max(law(i) - scale * least_squares.residual(drawn), 1e-3 * law(i));
+      drawn.response(i) = std::max(law(i) + misfit[place] + own * normal(), 1e-3 * law(i));
     }
-    thetas.row(refit) = solve_minimax(resampled, least_squares.theta).theta.transpose();
+    thetas.row(refit) = solve_minimax(drawn, least_squares.theta).theta.transpose();
   }
   const Eigen::MatrixXd deviation = thetas.rowwise() - thetas.colwise().mean();
   return deviation.transpose() * deviation / static_cast<double>(kRefits - 1);

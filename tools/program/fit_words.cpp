@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include <array>
 #include <map>
 #include <vector>
@@ -70,8 +72,9 @@ std::string in_words(const fit::PowerLaw& law) {
                           estimate.standard_error, range_in_words(estimate.interval_95));
   }
   if (law.correction) text += correction_in_words(*law.correction);
-  text += fmt::format("{} points, {} loss; RMS error {:.2f}°, R² {:.4f}\n", law.points, name_of(law.loss),
-                      law.rms_error, law.r_squared);
+  text +=
+      fmt::format("{} points, {} loss; RMS error {:.2f}°{}\n", law.points, name_of(law.loss), law.rms_error,
+                  std::isfinite(law.r_squared) ? fmt::format(", R² {:.4f}", law.r_squared) : "");
   text += fmt::format("worst error {:.2f}° at {}\n", law.worst_error, point_in_words(law.worst_point));
   text += fmt::format("holds for e_pp {}, mu_s {}, mu_r {}\n", range_in_words(law.domain.e),
                       range_in_words(law.domain.mu_s), range_in_words(law.domain.mu_r));

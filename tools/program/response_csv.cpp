@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -82,6 +84,7 @@ fit::Observation observation_of(const Row& row) {
   point.standard_error = row.number_or("angle_standard_error_deg", 0.0);
   point.label = row.line();
   point.cheap = row.is_cheap();
+  point.angle = std::numeric_limits<double>::quiet_NaN();  // unless it is one to be used
   const std::string outcome = row.cell("outcome");
   if (!outcome.empty() && outcome != "completed")
     point.exclusion = "outcome " + outcome;

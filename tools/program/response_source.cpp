@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 #include <fstream>
 #include <map>
 #include <set>
@@ -67,7 +69,7 @@ fit::Observation observation_of(const sweep::StoredRun& run) {
   point.mu_s = run.mu_s;
   point.mu_r = run.mu_r;
   point.replicate = run.replicate;
-  point.angle = run.angle_deg.value_or(0.0);
+  point.angle = run.angle_deg.value_or(std::numeric_limits<double>::quiet_NaN());
   point.standard_error = run.angle_standard_error_deg.value_or(0.0);
   point.label = run.point ? fmt::format("point {}, replicate {}", *run.point, run.replicate)
                           : "run " + run.run_key.substr(0, 8);

@@ -44,7 +44,7 @@ struct Session {
   chart::Chart chart;
   std::vector<Trial> trials;
   const Trial* chosen = nullptr;
-  std::string remark;  ///< why nothing was chosen
+  std::string remark;  ///< why nothing was chosen, or what is to be known of the choice
 
   /// Makes what is missing of the ladder with its combinations, and reads what is there; false: interrupted.
   bool measure(Faults faults = {}) {
@@ -106,6 +106,12 @@ bool choose(Session& session, double limit) {
     session.trials.push_back(std::move(trial));
     if (session.trials.back().within(limit)) {
       session.chosen = &session.trials.back();
+      if (candidates.size() > 1)
+        session.remark = fmt::format(
+            "its bound is that of one that nobody picked: of {} rungs that were compared by the same runs "
+            "the "
+            "luckiest looks best. Chart it with another /chart/seed where much hangs on it",
+            candidates.size());
       return true;
     }
     next = chart::next_after(combinations, combination.cost_ratio);
@@ -174,8 +180,7 @@ void print_session(const Session& session) {
   const std::filesystem::path& folder = session.options.sweep.folder;
   if (session.chosen)
     fmt::print("chosen: {}: {}\n", session.chosen->variant.name, (folder / "chosen.json").string());
-  else if (!session.remark.empty())
-    fmt::print("{}\n", session.remark);
+  if (!session.remark.empty()) fmt::print("{}\n", session.remark);
   fmt::print("written to {}\n", folder.string());
 }
 
@@ -242,8 +247,8 @@ void add_chart(CLI::App& app, Action& chosen) {
   verb->add_option("--threads", options.sweep.threads, "Runs at a time; default: one a core");
   verb->add_option(
       "--choose", options.limit,
-      "DEG: find the cheapest combination whose error is below this with 95 % confidence, confirm it by "
-      "running it, and write the case chosen.json");
+      "DEG: find the cheapest combination whose error is below this with 95 % confidence, run it to "
+      "confirm it, and write the case chosen.json");
   verb->add_option("--tries", options.tries, "Combinations that --choose may run; default: 5");
 }
 

@@ -81,7 +81,9 @@ std::string of_restitution(const fit::PowerLaw& law, const fit::Inversion& inver
       fmt::format("From e = {:.3g} to {:.3g} the angle changes by {:+.2g}°", e.low, e.high, effect);
   // Not knowing e moves the angle by half of this either way; that is small beside one standard deviation.
   const double deviation = std::hypot(law.error.standard_deviation, inversion.question.sigma);
-  if (std::abs(effect) <= std::max(law.worst_error, 2.0 * deviation)) {
+  const double worst =
+      std::isfinite(law.worst_error) ? law.worst_error : 0.0;  // a law written by hand has none
+  if (std::abs(effect) <= std::max(worst, 2.0 * deviation)) {
     return text +
            ", within the errors of the equation and of the measurement: restitution need not be known well.";
   }

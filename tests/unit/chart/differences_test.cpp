@@ -100,28 +100,37 @@ TEST(Judge, NoiseBoundFallsWithTheReplicates) {
 TEST(Judge, BoundsHoldTheTrueErrorAsOftenAsTheySay) {
   struct Truth {
     std::vector<double> means, scatter;
+    int runs = 5;
   };
   const std::vector<double> alike{0.5, 0.5, 0.5}, unlike{0.3, 0.3, 1.0};
+  Truth loud{std::vector<double>(9, 0.8), std::vector<double>(9, 0.05), 20};  // all but one are known well
+  loud.means.back() = 1.0, loud.scatter.back() = 2.0;
+  Truth signs{{0.5, -0.5, 0.5, -0.5, 0.5, -0.5, 0.5, -0.5, 1.5}, std::vector<double>(9, 0.3)};
+  signs.scatter.back() = 1.5;
   for (const Truth& truth :
        {Truth{{0.3, 0.3, 0.3}, alike}, Truth{{0.0, 0.0, 0.0}, alike}, Truth{{0.0, 0.0, 2.0}, alike},
-        Truth{{0.0, 0.0, 2.0}, unlike}, Truth{{2.0, 0.0, 0.0}, unlike}, Truth{{0.5, -0.5, 0.5}, unlike}}) {
+        Truth{{0.0, 0.0, 2.0}, unlike}, Truth{{2.0, 0.0, 0.0}, unlike}, Truth{{0.5, -0.5, 0.5}, unlike},
+        Truth{{1.0, 1.0, 1.0, 1.0, 1.0}, {0.05, 0.05, 0.05, 0.05, 2.0}, 10},
+        Truth{{1.0, 1.0, 1.0, 1.0, 1.0}, {1.1, 1.1, 1.5, 2.0, 3.3}, 20}, loud, signs}) {
     double squares = 0.0;
-    for (const double mean : truth.means) squares += mean * mean / 3.0;
+    for (const double mean : truth.means) squares += mean * mean / static_cast<double>(truth.means.size());
     RandomStream random(11, 3);
     int above = 0, below = 0;
     for (int experiment = 0; experiment < 2000; ++experiment) {
       Differences differences;
       for (std::size_t set = 0; set < truth.means.size(); ++set) {
         std::vector<double>& row = differences.rows.emplace_back();
-        for (int run = 0; run < 5; ++run)
+        for (int run = 0; run < truth.runs; ++run)
           row.push_back(truth.means[set] + truth.scatter[set] * random.normal());
       }
       const Judgement judgement = judge(differences);
       above += judgement.bound_95 >= std::sqrt(squares) ? 1 : 0;
       below += judgement.low_95 <= std::sqrt(squares) ? 1 : 0;
     }
-    EXPECT_GE(above, 1826) << truth.means[0] << " " << truth.scatter[2];
-    EXPECT_GE(below, 1826) << truth.means[0] << " " << truth.scatter[2];
+    EXPECT_GE(above, 1826) << truth.means.size() << " sets, the last " << truth.means.back() << " ± "
+                           << truth.scatter.back();
+    EXPECT_GE(below, 1826) << truth.means.size() << " sets, the last " << truth.means.back() << " ± "
+                           << truth.scatter.back();
   }
 }
 

@@ -96,6 +96,22 @@ TEST(FitJson, TakesAnEquationWrittenByHand) {
   EXPECT_NEAR(test::article_angle(0.3, answer.solution->value.mu_s, 0.1), 33.0, 1e-9);
 }
 
+TEST(FitJson, RefusesWhatIsNoCovariance) {
+  nlohmann::json root = to_json(fit_power_law(test::article_table()));
+  const auto entry = [&root](int i, int j) -> nlohmann::json& { return root["covariance"][i][j]; };
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) entry(i, j) = i == j ? 1e-4 : 0.0;
+  entry(1, 2) = entry(2, 1) = 0.9999999e-4;  // a correlation just below 1
+  EXPECT_EQ(reading_message(root), "read");
+  const std::string fault = "must be symmetric and positive semidefinite (are all its digits there?)";
+  entry(1, 2) = entry(2, 1) = 2e-4;
+  EXPECT_NE(reading_message(root).find(fault), std::string::npos) << "a correlation of 2";
+  entry(1, 2) = 0.0;
+  EXPECT_NE(reading_message(root).find(fault), std::string::npos) << "not symmetric";
+  entry(1, 1) = 0.0, entry(2, 1) = 0.0, entry(1, 3) = entry(3, 1) = 1e-5;
+  EXPECT_NE(reading_message(root).find(fault), std::string::npos) << "depends on what has no error";
+}
+
 TEST(FitJson, NamesEveryFaultOfASavedFitAtOnce) {
   json root = article_equation();
   root["C"] = -1;
@@ -112,7 +128,7 @@ TEST(FitJson, NamesEveryFaultOfASavedFitAtOnce) {
             "fit.json: /domain/mu_s = [0.8,0.1]: must be [low, high] with 0 <= low <= high\n"
             "fit.json: /domain/e_pp = [0,0.6]: must be > 0 where the exponent is identified\n"
             "fit.json: /covariance = [1,2]: must be 4 rows of 4 numbers\n"
-            "fit.json: /degrees_of_freedom = 0: must be > 0");
+            "fit.json: /degrees_of_freedom = 0: must be >= 1");
   EXPECT_EQ(reading_message(json::array()), "fit.json: must be the JSON object of a saved fit");
   root = article_equation();
   root["loss"] = "huber";

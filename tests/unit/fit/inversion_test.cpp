@@ -120,6 +120,34 @@ TEST(Inversion, TheBandWidensWithTheErrorOfTheAngleAndOfTheFit) {
   EXPECT_GT(width(poor, 0.5), width(good, 0.5));
 }
 
+// With one degree of freedom as with many: σ is known, whatever is not.
+TEST(Inversion, ALargerErrorOfTheAngleNeverNarrowsTheBandNorFixesWhatWasNotFixed) {
+  const auto row = [](double mu_s, double angle) {
+    Observation one{0.3, mu_s, 0.1};
+    one.angle = angle;
+    return one;
+  };
+  const PowerLaw steep =
+      fit_power_law(std::vector<Observation>{row(0.2, 40.2), row(0.4, 47.0), row(0.8, 56.6)});
+  ASSERT_EQ(steep.error.degrees_of_freedom, 1.0);
+  double width = 0.0;
+  for (const double sigma : {0.0, 0.1, 0.3, 1.0, 3.0}) {
+    const Solution solution = *invert(steep, {.angle = 47.0, .sigma = sigma}).solution;
+    EXPECT_GE(solution.high.mu_s - solution.low.mu_s, width) << sigma;
+    width = solution.high.mu_s - solution.low.mu_s;
+  }
+  const PowerLaw flat =
+      fit_power_law(std::vector<Observation>{row(0.2, 30.5), row(0.4, 33.0), row(0.6, 31.0), row(0.8, 32.5)});
+  for (const double sigma : {0.0, 1.0, 3.0, 10.0})
+    EXPECT_FALSE(invert(flat, {.angle = 31.8, .sigma = sigma}).identifiable) << sigma;
+}
+
+TEST(Inversion, SaysThatAnEquationWithoutFrictionHasNoCurve) {
+  PowerLaw law = fit_power_law(test::article_table());
+  law.b.value = law.c.value = 0.0;
+  EXPECT_THROW(invert(law, {.angle = 30.0}), Unusable);
+}
+
 TEST(Inversion, BandsHoldTheirCurveAndStayInTheDomain) {
   const PowerLaw law = noisy_law(2);
   const Inversion answer = invert(law, {.angle = 33.0, .sigma = 1.0});
