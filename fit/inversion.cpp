@@ -236,11 +236,12 @@ Inversion invert(const PowerLaw& law, const Question& question) {
   Inversion result;
   result.question = question;
   result.e_is_given = question.e.has_value();
-  if (law.covariance.isZero())
-    result.remark =
-        "The fit gives no covariance: its equation is taken as exact, and bands hold the error of the "
-        "measured "
-        "angle alone.";
+  if (law.covariance.isZero(0.0))
+    result.remark = fmt::format(
+        "The fit gives no covariance: its equation is taken as exact, and bands hold {} alone.",
+        law.error.standard_deviation > 0.0
+            ? "the error of the measured angle and the scatter of single angles about the equation"
+            : "the error of the measured angle");
   const Range& e = law.domain.e;
   result.e = clamped(question.e.value_or(std::sqrt(e.low * e.high)), e);
   if (law.a.identified) {

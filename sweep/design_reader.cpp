@@ -59,7 +59,7 @@ class DesignReader {
       return design;
     }
     design.replicates = static_cast<int>(read_integer("replicates", 1, 1, kMostRuns));
-    design.seed = static_cast<std::uint64_t>(read_integer("seed", 1, 0, 0x1p53));
+    design.seed = static_cast<std::uint64_t>(read_integer("seed", 1, 0, 0x1p53 - 1.0));
     design.common_random_numbers = read_boolean("common_random_numbers");
     design.scramble = read_boolean("scramble");
     if (kind == DesignKind::latin_hypercube || kind == DesignKind::sobol) {

@@ -48,7 +48,7 @@ class LadderReader {
     if (ladder.rung_replicates % ladder.replicates != 0)
       fault(std::string(kChart) + "/rung_replicates",
             fmt::format("must be a multiple of replicates, {}", ladder.replicates));
-    ladder.seed = static_cast<std::uint64_t>(read_integer("seed", 1, 0, 0x1p53));
+    ladder.seed = static_cast<std::uint64_t>(read_integer("seed", 1, 0, 0x1p53 - 1.0));
     return ladder;
   }
 

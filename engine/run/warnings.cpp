@@ -108,6 +108,16 @@ void warn_of_sizes(const Scene& scene, std::vector<Warning>& warnings) {
                                                    1.0 / ratio, std::cbrt(1.0 / ratio))});
     break;
   }
+  for (const Clump& shape : scene.particles.shapes) {
+    const int groups = shape.groups();
+    if (groups < 2) continue;
+    warnings.push_back(
+        {"loose_spheres",
+         fmt::format("{} is {} groups of spheres with gaps between them: other particles can pass "
+                     "through and hook into it; give it more spheres",
+                     shape.name.empty() ? "a clump" : shape.name, groups)});
+    break;
+  }
   const Sizes sizes = sizes_of(scene.particles);
   if (sizes.most > kWidest * sizes.least)
     warnings.push_back(

@@ -68,6 +68,7 @@ std::vector<CaseKey> make_keys() {
       text("/particles/shapes/*/clump"),
       text("/particles/shapes/*/mesh"),
       integer("/particles/shapes/*/spheres", kSpheres),
+      text("/particles/shapes/*/unit"),
       list("/particles/size_classes", kAtLeastOne),
       object("/particles/size_classes/*"),
       list("/particles/size_classes/*/volume_mm3", kTwo),

@@ -4,6 +4,7 @@
 
 #include "engine/scene/sections.hpp"
 #include "engine/scene/units.hpp"
+#include "engine/shape/length_unit.hpp"
 
 namespace repose {
 
@@ -62,8 +63,11 @@ std::optional<Clump> read_mesh_shape(CheckedCase& checked, const std::string& po
   if (!checked.given(count)) checked.fault(count, "is missing: a mesh needs it");
   const std::optional<int> spheres = checked.integer(count);
   const auto file = shape_file(checked, pointer + "/mesh");
-  if (!spheres || !file) return std::nullopt;
-  return shapes.clump_of_mesh(*file, *spheres);
+  const std::optional<std::string> name = checked.text(pointer + "/unit");
+  const std::optional<LengthUnit> unit = name ? length_unit(*name) : std::nullopt;
+  if (name && !unit) checked.fault(pointer + "/unit", "must be m, cm, mm, um or in");
+  if (!spheres || !file || name.has_value() != unit.has_value()) return std::nullopt;
+  return shapes.clump_of_mesh(*file, *spheres, unit ? std::optional(unit->metres) : std::nullopt);
 }
 
 /// A diameter sizes a sphere only: which of its sizes a clump's would be is open.
@@ -92,6 +96,7 @@ std::optional<Clump> read_shape(CheckedCase& checked, const std::string& pointer
   }
   if (!sphere) refuse_stray(checked, pointer, "diameter_mm", "sphere");
   if (!mesh) refuse_stray(checked, pointer, "spheres", "mesh");
+  if (!mesh) refuse_stray(checked, pointer, "unit", "mesh");
   try {
     if (sphere) return read_sphere(checked, pointer, classes);
     if (clump) return read_clump_shape(checked, pointer, shapes);

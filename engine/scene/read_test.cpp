@@ -52,13 +52,24 @@ SlumpTest read_test(CheckedCase& checked) {
   return test;
 }
 
+/// A mesh of millimetres that says nothing of it is taken in metres where it is small.
+std::string hint_at_units(const CheckedCase& checked) {
+  for (std::size_t i = 0; i < checked.entries("/particles/shapes"); ++i) {
+    const std::string pointer = fmt::format("/particles/shapes/{}", i);
+    if (checked.given(pointer + "/mesh") && !checked.given(pointer + "/unit"))
+      return fmt::format(" (is its mesh in mm? {}/unit says so)", pointer);
+  }
+  return {};
+}
+
 void check_fit(CheckedCase& checked, const Particles& particles, const SlumpTest& test) {
   if (particles.shapes.empty()) return;
   const LargestSizes sizes = largest_sizes(particles);
   const double diameter = 2.0 * test.cylinder_radius;
   if (diameter > 0.0 && diameter < sizes.span)
     checked.fault("/test/cylinder/diameter_mm",
-                  fmt::format("must hold the largest particle, which spans {:.3g} mm", to_mm(sizes.span)));
+                  fmt::format("must hold the largest particle, which spans {:.3g} mm{}", to_mm(sizes.span),
+                              hint_at_units(checked)));
   else if (diameter > 0.0 && diameter < kParticlesAcross * sizes.diameter)
     checked.fault("/test/cylinder/diameter_mm",
                   fmt::format("must be at least {} times the largest particle's diameter, {:.3g} mm",

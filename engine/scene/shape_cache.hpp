@@ -2,8 +2,9 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
-#include <utility>
+#include <tuple>
 
 #include "engine/shape/clump.hpp"
 
@@ -17,12 +18,14 @@ class ShapeCache {
   const Clump& clump(const std::filesystem::path& file);
 
   /// The clump of so many spheres that stands for the mesh of a file; takes seconds where it has to be made.
+  /// @param metres_per_unit  of the file's numbers; where it is not given read_mesh() tells
   /// Throws InputError as read_mesh() and generate_clump() do.
-  const Clump& clump_of_mesh(const std::filesystem::path& file, int spheres);
+  const Clump& clump_of_mesh(const std::filesystem::path& file, int spheres,
+                             std::optional<double> metres_per_unit);
 
  private:
-  std::map<std::pair<std::string, int>, Clump>
-      clumps_;  ///< by file and number of spheres, 0 for a clump file
+  /// By file, number of spheres (0 for a clump file) and unit (0 where none is given).
+  std::map<std::tuple<std::string, int, double>, Clump> clumps_;
 };
 
 }  // namespace repose

@@ -32,6 +32,9 @@ struct Clump {
   /// Diameter of the sphere of equal volume [m].
   [[nodiscard]] double equivalent_diameter() const;
   [[nodiscard]] double smallest_radius() const;
+  /// Into how many groups the spheres fall between which gaps are wider than a tenth of the smaller radius:
+  /// of more than one, others can pass through the body.
+  [[nodiscard]] int groups() const;
 };
 
 /// The clump of one sphere: V = 4/3 π r³, I = 8/15 π r⁵.

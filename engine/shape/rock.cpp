@@ -137,7 +137,7 @@ void check_figures(const BodyFigures& figures, const std::string& file, const st
     faults.add(file, pointer, "", "extents, volume and surface area must be > 0");
   } else {
     if (figures.volume >= figures.extents.prod())
-      faults.add(file, pointer, "", "no body is larger than the box of its extents");
+      faults.add(file, pointer, "", "the volume must be below that of the box of its extents");
     if (36.0 * kPi * figures.volume * figures.volume > std::pow(figures.area, 3))
       faults.add(file, pointer, "",
                  "no body of this volume has so small a surface: the sphericity exceeds 1");

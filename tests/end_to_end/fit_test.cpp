@@ -112,6 +112,10 @@ TEST(Fit, SaysWhatIsWrongWithACheapTest) {
   EXPECT_EQ(missing.code, 2);
   for (const char* file : {"none.csv", "neither.csv"})
     EXPECT_NE(missing.err.find(file), std::string::npos) << missing.err;
+  const std::string table = write_table(folder, table_of_two("reference"));
+  const Finished itself = repose({"fit", table, "--cheap", table});
+  EXPECT_EQ(itself.code, 2);
+  EXPECT_NE(itself.err.find("another source"), std::string::npos) << itself.err;
   const Finished loss = repose({"fit", write_table(folder, table_of_two("reference")), "--loss", "minimax"});
   EXPECT_EQ(loss.code, 2);
   EXPECT_NE(loss.err.find("least squares"), std::string::npos) << loss.err;

@@ -63,6 +63,11 @@ TEST(Usage, BadUsageEndsWithTwoAndSaysWhatIsWrong) {
       {{"stability", "a.json"}, "--out is required"},
       {{"stability", "a.json", "--out", "b", "--scales", "one"}, "--scales"},
       {{"stability", "a.json", "--out", "b", "--precision", "fine"}, "--precision"},
+      {{"simulate", "a.json", "--out", "--quiet"}, "needs a value, and '--quiet' is an option"},
+      {{"export", "a", "--csv=", "--quiet"}, "--csv: needs a value"},
+      {{"simulate", "a.json", "--seed", ""}, "--seed: needs a value"},
+      {{"merge", "a", "--into", ""}, "--into: needs a value"},
+      {{"simulate", ""}, "CASE: needs a value"},
   };
   for (const BadUsage& bad : cases) {
     const Finished answer = repose(bad.arguments);
@@ -70,6 +75,17 @@ TEST(Usage, BadUsageEndsWithTwoAndSaysWhatIsWrong) {
     EXPECT_EQ(answer.code, 2) << shown;
     EXPECT_EQ(answer.out, "") << shown;
     EXPECT_NE(answer.err.find(bad.message), std::string::npos) << shown << "\n" << answer.err;
+  }
+}
+
+TEST(Usage, AnswersThatCannotBeWrittenAreAFault) {
+  const TemporaryFolder folder;
+  write_text(folder / "t.csv", "e_pp,mu_s,mu_r,angle_deg\n0.3,0.2,0.1,25\n0.3,0.4,0.1,30\n0.3,0.8,0.1,35\n");
+  for (const std::string how : {"> /dev/full", ">&-"}) {
+    const Finished answer = run("/bin/sh", {"-c", "exec \"$0\" \"$@\" " + how, REPOSE_PROGRAM, "fit",
+                                            (folder / "t.csv").string(), "--json"});
+    EXPECT_EQ(answer.code, 1) << how;
+    EXPECT_NE(answer.err.find("standard output cannot be written"), std::string::npos) << answer.err;
   }
 }
 

@@ -55,6 +55,7 @@ Json clump_json(const GeneratedClump& made, double density, const MeshFromFile& 
   json["density_kg_m3"] = density;
   json["mass"] = density * made.clump.volume;
   json["inertia"] = {moments.x(), moments.y(), moments.z()};
+  json["groups_of_spheres"] = made.clump.groups();
   json["smallest_radius_m"] = made.clump.smallest_radius();
   json["equivalent_diameter_m"] = made.clump.equivalent_diameter();
   json["mesh_extents_m"] = {extents.x(), extents.y(), extents.z()};
@@ -68,16 +69,21 @@ std::string clump_in_words(const GeneratedClump& made, const MeshFromFile& sourc
   const MeshMeasures body = measure(mesh);
   const Vec3 extents = 1e3 * body.extents;
   return fmt::format(
-      "mesh    {}: {:.4g} x {:.4g} x {:.4g} mm, volume {:.5g} mm3, sphericity {:.3f}\n"
-      "unit    {}\n"
-      "clump   {} spheres ({} that nothing can touch), smallest radius {:.4g} mm, sphericity {:.3f}\n"
-      "errors  volume {:.4f} %, EIT {:.4f} % (integration within {:.1e} %)\n"
-      "surface {:.2f} % of the equivalent diameter away on the average, {:.1f} % at most\n",
-      mesh.name, extents.x(), extents.y(), extents.z(), 1e9 * body.volume, body.sphericity(),
-      unit_in_words(source), made.clump.spheres.size() + made.inner.size(), made.inner.size(),
-      1e3 * made.clump.smallest_radius(), errors.sphericity, 100 * errors.volume_error,
-      100 * errors.eit_error, 100 * errors.computation_error, 100 * errors.mean_distance,
-      100 * errors.max_distance);
+             "mesh    {}: {:.4g} x {:.4g} x {:.4g} mm, volume {:.5g} mm3, sphericity {:.3f}\n"
+             "unit    {}\n"
+             "clump   {} spheres ({} that nothing can touch), smallest radius {:.4g} mm, sphericity {:.3f}\n"
+             "errors  volume {:.4f} %, EIT {:.4f} % (integration within {:.1e} %)\n"
+             "surface {:.2f} % of the equivalent diameter away on the average, {:.1f} % at most\n",
+             mesh.name, extents.x(), extents.y(), extents.z(), 1e9 * body.volume, body.sphericity(),
+             unit_in_words(source), made.clump.spheres.size() + made.inner.size(), made.inner.size(),
+             1e3 * made.clump.smallest_radius(), errors.sphericity, 100 * errors.volume_error,
+             100 * errors.eit_error, 100 * errors.computation_error, 100 * errors.mean_distance,
+             100 * errors.max_distance) +
+         (made.clump.groups() > 1
+              ? fmt::format(
+                    "gaps    its spheres fall into {} groups that do not touch: give it more spheres\n",
+                    made.clump.groups())
+              : "");
 }
 
 }  // namespace repose::program

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <string>
@@ -59,6 +60,27 @@ std::vector<std::string> words_of(int argc, char** argv) {
   return words;
 }
 
+/// An option that is given a value takes none that is empty or looks like the next option: a value that was
+/// forgotten, or a variable that is not set, is not to become the name of a file.
+void refuse_forgotten_values(CLI::App& app) {
+  const CLI::Validator given(
+      [](const std::string& value) {
+        if (value.empty()) return std::string("needs a value that is not empty");
+        return value.starts_with("--") ? "needs a value, and '" + value + "' is an option" : std::string();
+      },
+      "");
+  for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+    for (CLI::Option* option : verb->get_options())
+      if (option->get_expected_max() > 0) option->check(given);
+}
+
+/// What was written is on its way: a full disk is known only now.
+int checked_output(int status) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+  fmt::print(stderr, "repose: standard output cannot be written\n");
+  return status == kDone || status == kNotCompleted ? kMachineFault : status;
+}
+
 /// An angle that no friction within the domain gives: --json names the angles that are within reach.
 int report_unreachable(const fit::Unreachable& error, bool json) {
   fmt::print(stderr, "{}\n", error.what());
@@ -87,6 +109,7 @@ int run(int argc, char** argv, bool json) {
   add_stability(app, chosen);
   add_shape(app, chosen);
   add_clump(app, chosen);
+  refuse_forgotten_values(app);
   try {
     app.parse(words_of(argc, argv));
   } catch (const CLI::ParseError& error) {
@@ -102,7 +125,7 @@ int main(int argc, char** argv) {
   const bool json =
       std::any_of(argv + 1, argv + argc, [](std::string_view word) { return word == "--json"; });
   try {
-    return run(argc, argv, json);
+    return checked_output(run(argc, argv, json));
   } catch (const InputError& error) {
     return report_bad_input(error, json);
   } catch (const fit::Unreachable& error) {

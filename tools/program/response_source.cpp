@@ -104,6 +104,9 @@ fit::PowerLaw fit_of(const StudyResponses& responses, fit::Loss loss) {
 fit::PowerLaw fitted_law_of(const fs::path& source, fit::Loss loss, const fs::path& cheap) {
   Faults faults;
   StudyResponses responses = responses_of(source, faults);
+  std::error_code missing;
+  if (!cheap.empty() && fs::equivalent(source, cheap, missing))
+    faults.add("--cheap", "", cheap.string(), "must be another source than the reference's");
   if (!cheap.empty()) {
     StudyResponses more = responses_of(cheap, faults);
     for (fit::Observation& row : more.table) {

@@ -163,7 +163,8 @@ std::vector<MadeMesh> write_meshes(const ScanTable& table, const std::vector<Roc
 ScanTable checked_table(const ShapeOptions& options) {
   Faults faults;
   if (options.class_width)
-    check_range(faults, "--class-width", *options.class_width, 1e-6, 1e12, "must be a width in mm3, > 0");
+    check_range(faults, "--class-width", *options.class_width, 1e-6, 1e12,
+                "must be a width from 1e-6 to 1e12 mm3");
   check_range(faults, "--seed", static_cast<double>(options.seed), 0, 9.3e18, "must be 0 or more");
   if (!options.plot.empty()) check_output_file(faults, options.plot);
   if (!options.meshes.empty()) check_folder(faults, options.meshes);

@@ -34,9 +34,9 @@ constexpr int kMostFrames = 10000;
 
 /// Without --seed: the seed of the case's sweep where it has one, otherwise 1.
 std::uint64_t seed_for(const SimulateOptions& options, const CaseDocument& document, Faults& faults) {
-  constexpr const char* kRule = "must be an integer from 0 to 9007199254740992";
+  constexpr const char* kRule = "must be an integer from 0 to 9007199254740991";
   const auto checked = [&](std::optional<double> value, const Fault& fault) -> std::uint64_t {
-    if (value && *value >= 0.0 && *value <= 0x1p53 && *value == std::floor(*value))
+    if (value && *value >= 0.0 && *value < 0x1p53 && *value == std::floor(*value))
       return static_cast<std::uint64_t>(*value);
     faults.add(fault.file, fault.pointer, fault.value, fault.rule);
     return 1;

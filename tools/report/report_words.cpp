@@ -59,16 +59,30 @@ std::string of_solution(const fit::Inversion& inversion) {
   return text;
 }
 
-std::string of_curve(const fit::Inversion& inversion) {
+/// Whether the 95 % interval of an exponent leaves 0 out, or nothing is known of it.
+bool shows(const fit::Estimate& exponent) {
+  return !(exponent.interval_95.low <= 0.0 && exponent.interval_95.high >= 0.0);
+}
+
+std::string of_curve(const fit::PowerLaw& law, const fit::Inversion& inversion) {
+  if (!shows(law.b) && !shows(law.c))
+    return fmt::format(
+        "{} fixes neither friction: over the values swept the angle depends on μs and μr no more than the "
+        "runs "
+        "scatter, and any pair agrees as well.",
+        capital(measured(inversion.question)));
   const fit::LevelPoint& first = inversion.level_set.front();
   const fit::LevelPoint& middle = inversion.level_set[inversion.level_set.size() / 2];
   const fit::LevelPoint& last = inversion.level_set.back();
+  const fit::Range& swept = law.domain.mu_s;
+  const bool cut = middle.mu_s_band.low <= swept.low || middle.mu_s_band.high >= swept.high;
   return fmt::format(
       "{} is met by a whole curve of friction pairs, not by one pair. At e = {:.3g} the curve runs from "
       "μs = {:.3g} with μr = {:.3g} to μs = {:.3g} with μr = {:.3g}. Half-way lies μs = {:.3g} with "
-      "μr = {:.3g}; at that μr the angle allows μs between {:.3g} and {:.3g} (95 %).",
+      "μr = {:.3g}; at that μr the angle allows μs between {:.3g} and {:.3g} (95 %{}).",
       capital(measured(inversion.question)), inversion.e, first.mu_s, first.mu_r, last.mu_s, last.mu_r,
-      middle.mu_s, middle.mu_r, middle.mu_s_band.low, middle.mu_s_band.high);
+      middle.mu_s, middle.mu_r, middle.mu_s_band.low, middle.mu_s_band.high,
+      cut ? ", cut by the edge of the values swept" : "");
 }
 
 std::string of_restitution(const fit::PowerLaw& law, const fit::Inversion& inversion) {
@@ -209,8 +223,8 @@ std::string equation_in_words(const fit::PowerLaw& law) {
 std::vector<std::string> answer_paragraphs(const fit::PowerLaw& law, const fit::Inversion& inversion,
                                            const std::string& source) {
   std::vector<std::string> text;
-  text.push_back(inversion.solution ? of_solution(inversion) : of_curve(inversion));
-  if (!inversion.solution) {
+  text.push_back(inversion.solution ? of_solution(inversion) : of_curve(law, inversion));
+  if (!inversion.solution && (shows(law.b) || shows(law.c))) {
     text.push_back(of_next_step(law));
     if (!source.empty()) text.push_back(next_command(law, inversion, source));
   }

@@ -276,6 +276,23 @@ TEST(HeapMeasurement, AStandingColumnIsNeverAQuietAngle) {
   EXPECT_FALSE(measured.has_heap && measured.warnings.empty()) << degrees(measured.angle);
 }
 
+// A column as it stood in its cylinder, its top a cone of 36°: what falls by that is the top and no slope of
+// a heap.
+TEST(HeapMeasurement, TheTopOfAStandingColumnIsNoFlank) {
+  HeapSnapshot heap;
+  for (const testing::PackedSphere& s : packing().spheres()) {
+    const Vec3 centre = kDiameter * (s.centre - Vec3(12.0, 12.0, 0.0));
+    const double r = std::hypot(centre.x(), centre.y());
+    if (r < 0.035 && centre.z() < 0.075 - std::tan(radians(36.0)) * r)
+      add_sphere_body(heap, centre, 2.0 * kDiameter * s.radius);
+  }
+  heap.base_radius = 0.07;
+  const HeapMeasurement measured = measure_heap(heap);
+  EXPECT_FALSE(measured.has_heap) << degrees(measured.angle);
+  EXPECT_TRUE(measured.unreadable);
+  EXPECT_NE(measured.reason.find("may still stand"), std::string::npos) << measured.reason;
+}
+
 TEST(HeapMeasurement, SizesOfARatioOfTenDoNotHurt) {
   HeapSnapshot heap = exact_cone(0.6, 0.6, 0.07, 0.0, 0.0);
   RandomStream random(8, 0);

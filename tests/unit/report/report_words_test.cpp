@@ -68,6 +68,22 @@ TEST(AnswerInWords, GivesNoValueThatTheRunsDoNotShow) {
   EXPECT_TRUE(says(text, "does not fix μr: over the values swept the angle does not depend on it")) << text;
 }
 
+TEST(AnswerInWords, GivesNoCurveThatTheRunsDoNotShow) {
+  fit::PowerLaw law = *full_report().law;
+  for (fit::Estimate* exponent : {&law.b, &law.c}) exponent->interval_95 = {-0.1, exponent->value + 0.1};
+  const std::string text = answer(law, {.angle = 35.0});
+  EXPECT_TRUE(says(text, "A measured angle of 35° fixes neither friction")) << text;
+  EXPECT_FALSE(says(text, "whole curve"));
+  EXPECT_FALSE(says(text, "repose invert")) << text;
+}
+
+TEST(AnswerInWords, DoesNotMindALawWithoutErrorsOfItsOwn) {
+  fit::PowerLaw law = *full_report().law;
+  law.a.value = 1e-4;
+  law.worst_error = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(says(answer(law, {.angle = 35.0, .sigma = 1.0}), "restitution need not be known well"));
+}
+
 TEST(AnswerInWords, NamesTheLargerPartOfTheBand) {
   const fit::PowerLaw law = *full_report().law;  // its scatter is about 0.3°
   EXPECT_TRUE(

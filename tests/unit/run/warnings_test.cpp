@@ -61,6 +61,18 @@ TEST(SceneWarnings, ATinySphereOfAClump) {
   EXPECT_NE(text_of(scene_warnings(scene), "tiny_sphere").find("0.05 times"), std::string::npos);
 }
 
+TEST(SceneWarnings, SpheresThatOthersCanPassBetween) {
+  Scene scene = sound_scene();
+  const double r = 2e-3;
+  const auto dumbbell = [r](double gap) {
+    return summed_clump({{Vec3::Zero(), r}, {Vec3((2.0 + gap) * r, 0.0, 0.0), r}});
+  };
+  scene.particles.shapes = {dumbbell(0.09)};
+  EXPECT_FALSE(has(scene_warnings(scene), "loose_spheres"));
+  scene.particles.shapes = {dumbbell(0.09), dumbbell(0.5)};
+  EXPECT_NE(text_of(scene_warnings(scene), "loose_spheres").find("2 groups"), std::string::npos);
+}
+
 TEST(SceneWarnings, ASizeRatioOfTwenty) {
   Scene scene = sound_scene();
   const auto class_of = [](double diameter) {

@@ -94,7 +94,13 @@ const BadCase kBadCases[] = {
      R"({"particles": {"shapes": [{"sphere": true, "radius_mm": 3}]}})",
      {"case.json: /particles/shapes/0/radius_mm = 3: is not known; /particles/shapes/* takes sphere, "
       "diameter_mm, "
-      "clump, mesh, spheres"}},
+      "clump, mesh, spheres, unit"}},
+    {"UnitOfASphere",
+     R"({"particles": {"shapes": [{"sphere": true, "unit": "mm"}]}})",
+     {"case.json: /particles/shapes/0/unit = \"mm\": goes with mesh only"}},
+    {"UnitThatIsNone",
+     R"({"particles": {"shapes": [{"mesh": "README.md", "spheres": 8, "unit": "furlong"}]}})",
+     {"case.json: /particles/shapes/0/unit = \"furlong\": must be m, cm, mm, um or in"}},
     {"SphereWithoutASize",
      R"({"particles": {"size_classes": null}})",
      {"case.json: /particles/shapes/0/diameter_mm: is missing: a sphere needs it where there are no "

@@ -234,6 +234,24 @@ TEST(SceneReader, MakesAClumpOfAMeshWithTheMeshsVolume) {
   EXPECT_LE(scene.particles.shapes[0].spheres.size(), 4U);
 }
 
+// Numbers of millimetres in a file that says nothing of its unit: up to 5 they are taken for metres.
+TEST(SceneReader, TakesTheUnitOfAMeshFromTheCase) {
+  const TemporaryFolder folder;
+  write_text(folder / "corner.obj",
+             "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  CaseDocument document = patched(R"({"particles": {"size_classes": null}})");
+  nlohmann::ordered_json shape = {{"mesh", (folder / "corner.obj").string()}, {"spheres", 4}};
+  document.set("/particles/shapes/0", shape, "t");
+  const std::vector<std::string> faults = faults_of(document);
+  ASSERT_FALSE(faults.empty());
+  EXPECT_NE(faults[0].find("(is its mesh in mm? /particles/shapes/0/unit says so)"), std::string::npos)
+      << faults[0];
+  shape["unit"] = "mm";
+  document.set("/particles/shapes/0", shape, "t");
+  const double volume = 64e-9 / 6.0;
+  EXPECT_NEAR(read_scene(document).particles.shapes[0].volume, volume, 1e-9 * volume);
+}
+
 TEST(SceneReader, ReportsTheFaultsOfAMeshWithItsOwnName) {
   const TemporaryFolder folder;
   Mesh open = tetrahedron();

@@ -60,7 +60,7 @@ TEST(Rock, RefusesFiguresThatNoBodyHas) {
     }
     return std::string();
   };
-  EXPECT_THAT(fault({Vec3(1, 1, 1), 1.2, 8.0}), HasSubstr("larger than the box"));
+  EXPECT_THAT(fault({Vec3(1, 1, 1), 1.2, 8.0}), HasSubstr("below that of the box"));
   EXPECT_THAT(fault({Vec3(1, 1, 1), 0.5, 1.0}), HasSubstr("the sphericity exceeds 1"));
   EXPECT_THAT(fault({Vec3(1, 0, 1), 0.5, 1.0}), HasSubstr("must be > 0"));
   // A needle's worth of surface on a body that nearly fills its cube.

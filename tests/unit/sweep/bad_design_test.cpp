@@ -63,7 +63,7 @@ const Bad kBad[] = {
     {"NoReplicates", R"({"design": "full_factorial", "replicates": 0, "factors": {"mu_s": [0.2]}})",
      "case.json: /sweep/replicates = 0: must be an integer from 1 to 1000000"},
     {"NegativeSeed", R"({"design": "full_factorial", "seed": -1, "factors": {"mu_s": [0.2]}})",
-     "case.json: /sweep/seed = -1: must be an integer from 0 to 9007199254740992"},
+     "case.json: /sweep/seed = -1: must be an integer from 0 to 9007199254740991"},
     {"WordForABoolean",
      R"({"design": "full_factorial", "common_random_numbers": "yes", "factors": {"mu_s": [0.2]}})",
      "case.json: /sweep/common_random_numbers = \"yes\": must be true or false"},
