@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string_view>
 
 #include "tools/report/study_report.hpp"
 
@@ -123,12 +124,22 @@ std::string of_next_step(const fit::PowerLaw& law) {
          (ratio > 0.0 ? fmt::format(" (the other way round it would be {:.2g} %).", 10.0 / ratio) : ".");
 }
 
+/// A word that a shell takes as it is.
+std::string shell_word(const std::string& text) {
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./+,:=@%-";
+  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
 std::string next_command(const fit::PowerLaw& law, const fit::Inversion& inversion,
                          const std::string& source) {
   const bool rolling = rolling_is_weaker(law);
   const fit::LevelPoint& middle = inversion.level_set[inversion.level_set.size() / 2];
   const fit::Question& question = inversion.question;
-  return fmt::format("{}repose invert {} --angle {:.6g}{}{} --fix {}={:.2g}", kCommand, source,
+  return fmt::format("{}repose invert {} --angle {:.6g}{}{} --fix {}={:.2g}", kCommand, shell_word(source),
                      question.angle,
                      question.sigma > 0.0 ? fmt::format(" --sigma {:.4g}", question.sigma) : "",
                      inversion.e_is_given ? fmt::format(" --fix e_pp={:.4g}", inversion.e) : "",

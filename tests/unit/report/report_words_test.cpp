@@ -40,6 +40,16 @@ TEST(AnswerInWords, ProposesACommandThatWorks) {
   EXPECT_NO_THROW(fit::invert(law, {.angle = 35.0, .sigma = 1.0, .e = 0.2, .mu_r = mu_r}));
 }
 
+TEST(AnswerInWords, QuotesAFolderForTheShellWhereItNeedsIt) {
+  const fit::PowerLaw law = *full_report().law;
+  const fit::Inversion inversion = fit::invert(law, {.angle = 35.0});
+  const auto command = [&](const std::string& source) {
+    return answer_paragraphs(law, inversion, source)[2];
+  };
+  EXPECT_TRUE(says(command("runs/ore_1"), "repose invert runs/ore_1 --angle"));
+  EXPECT_TRUE(says(command("my ore's"), "repose invert 'my ore'\\''s' --angle")) << command("my ore's");
+}
+
 TEST(AnswerInWords, GivesTheValueWhereTheRestIsFixed) {
   const fit::PowerLaw law = *full_report().law;
   const fit::Question question{.angle = 35.0, .sigma = 1.0, .mu_r = 0.1};
