@@ -76,6 +76,7 @@ json to_json(const PowerLaw& law) {
   object["rms_error_deg"] = law.rms_error;
   object["r_squared"] = number(law.r_squared);
   object["residual_sd_deg"] = number(law.error.standard_deviation);
+  object["misfit_deg"] = law.error.misfit;
   object["degrees_of_freedom"] = law.error.degrees_of_freedom;
   object["pure_error_deg"] = number(law.error.pure_error);
   object["lack_of_fit_p"] = number(law.error.lack_of_fit_p);

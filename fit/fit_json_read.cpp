@@ -140,6 +140,8 @@ void read_covariance(Reader& reader, PowerLaw& law) {
 
 void read_error(Reader& reader, PowerLaw& law) {
   law.error.standard_deviation = reader.optional("/residual_sd_deg", 0.0);
+  law.error.misfit = reader.optional("/misfit_deg", 0.0);
+  if (law.error.misfit < 0.0) reader.fault("/misfit_deg", "must be >= 0");
   law.error.degrees_of_freedom =
       reader.optional("/degrees_of_freedom", std::numeric_limits<double>::infinity());
   law.error.pure_error = reader.optional("/pure_error_deg", Reader::kNaN);
