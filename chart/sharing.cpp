@@ -36,16 +36,6 @@ double variance_of_columns(const Eigen::MatrixXd& w, const Eigen::VectorXd& z, d
 
 }  // namespace
 
-std::vector<Estimate> estimates_of(const Rows& rows) {
-  std::vector<Estimate> estimates;
-  for (const std::vector<double>& row : rows) {
-    const auto values = Eigen::Map<const Eigen::ArrayXd>(row.data(), static_cast<Eigen::Index>(row.size()));
-    const double n = static_cast<double>(row.size()), mean = values.mean();
-    estimates.push_back({mean, std::sqrt((values - mean).square().sum() / (n - 1.0) / n)});
-  }
-  return estimates;
-}
-
 SharedPart operator+(const SharedPart& one, const SharedPart& other) {
   if (one.covariance.size() == 0) return other;
   if (other.covariance.size() == 0) return one;

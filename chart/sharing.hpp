@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "chart/estimates.hpp"
+
 namespace repose::chart {
 
-/// One row a set of frictions, one entry a replicate.
-using Rows = std::vector<std::vector<double>>;
-/// The column that each of them took (/test/shared_columns), in the same order.
+/// The column that each entry of the rows took (/test/shared_columns), in the same order.
 using Columns = std::vector<std::vector<std::uint64_t>>;
 
 /// What shared columns add to the covariance of the means of K sets, which is s²/n on its diagonal without
@@ -35,12 +35,5 @@ const SharedPart& larger(const SharedPart& one, const SharedPart& other);
 /// column for all, leave σ_c² open: it is 0 then.
 /// Requires columns of the shape of the rows, and rows of two entries or more.
 SharedPart shared_part(const Rows& rows, const Columns& columns);
-
-/// The mean of a row and its standard error, s/√n with the s of that row.
-struct Estimate {
-  double value = 0.0;
-  double standard_error = 0.0;
-};
-std::vector<Estimate> estimates_of(const Rows& rows);
 
 }  // namespace repose::chart

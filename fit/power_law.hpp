@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
@@ -52,6 +53,10 @@ struct ErrorModel {
   double standard_deviation = 0.0;  ///< of one angle about the law, √(τ² + σ²) [deg]
   double misfit = 0.0;              ///< τ, of the law at a point, which all its repeats share [deg]
   double degrees_of_freedom = 0.0;
+  /// σ², of a row alone [deg²].
+  [[nodiscard]] double own_variance() const {
+    return std::max(0.0, standard_deviation * standard_deviation - misfit * misfit);
+  }
   /// Scatter of repeats about their own mean [deg]; NaN without repeats.
   double pure_error = std::numeric_limits<double>::quiet_NaN();
   /// P of a lack of fit this large if the law were right (F test); NaN without repeats.

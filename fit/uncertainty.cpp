@@ -98,21 +98,14 @@ ErrorModel judge_error(const PowerSolution& fit, const PowerProblem& problem, co
 Eigen::MatrixXd least_squares_covariance(const PowerSolution& fit, const Selection& selection,
                                          const ErrorModel& error) {
   const Eigen::MatrixXd inverse = inverse_of_squares(fit.jacobian);
-  const double misfit = error.misfit * error.misfit;
-  const double own = error.standard_deviation * error.standard_deviation - misfit;
-  Eigen::MatrixXd covariance = own * inverse;
-  if (misfit > 0.0) {
-    const Eigen::MatrixXd sums = by_place(fit.jacobian, selection) * inverse;
-    covariance += misfit * (sums.transpose() * sums);
-  }
-  return covariance;
+  const Eigen::MatrixXd sums = error.misfit * by_place(fit.jacobian, selection) * inverse;
+  return error.own_variance() * inverse + sums.transpose() * sums;
 }
 
 Eigen::MatrixXd minimax_covariance(const PowerProblem& problem, const PowerSolution& least_squares,
                                    const Selection& selection, const ErrorModel& error) {
   const Eigen::Index rows = problem.response.size();
-  const double own = std::sqrt(
-      std::max(0.0, error.standard_deviation * error.standard_deviation - error.misfit * error.misfit));
+  const double own = std::sqrt(error.own_variance());
   const Eigen::VectorXd law = problem.response + least_squares.residual;
   std::mt19937_64 draw(kSeed);  // its numbers are fixed by the standard, unlike those of distributions
   const auto normal = [&draw] {
@@ -123,7 +116,7 @@ Eigen::MatrixXd minimax_covariance(const PowerProblem& problem, const PowerSolut
   PowerProblem drawn = problem;
   std::vector<double> misfit(static_cast<std::size_t>(selection.places));
   for (int refit = 0; refit < kRefits; ++refit) {
-    for (double& shared : misfit) shared = error.misfit > 0.0 ? error.misfit * normal() : 0.0;
+    for (double& shared : misfit) shared = error.misfit * normal();
     for (Eigen::Index i = 0; i < rows; ++i) {
       const auto place = static_cast<std::size_t>(selection.place_of[static_cast<std::size_t>(i)]);
       // A flat heap may draw an error larger than its angle; an angle stays above 0.

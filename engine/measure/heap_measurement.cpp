@@ -198,9 +198,8 @@ std::string standing_reason(const HeapMeasurement& measured, const HeapOutline& 
   if (reading.window.in_radius) return {};
   if (outer_share(outline, reading) >= kLeastOuter) return {};
   return fmt::format(
-      "no heap that can be read: its top falls by {:.0f} degrees, and below it no slope goes on: the column "
-      "may "
-      "still stand; look at the heap, and open faster or wider",
+      "no heap that can be read: its top falls by {:.0f} degrees, and below it no slope goes on: the "
+      "column may still stand; look at the heap, and open faster or wider",
       degrees(measured.angle));
 }
 

@@ -68,9 +68,8 @@ bool shows(const fit::Estimate& exponent) {
 std::string of_curve(const fit::PowerLaw& law, const fit::Inversion& inversion) {
   if (!shows(law.b) && !shows(law.c))
     return fmt::format(
-        "{} fixes neither friction: over the values swept the angle depends on μs and μr no more than the "
-        "runs "
-        "scatter, and any pair agrees as well.",
+        "{} fixes neither friction: over the values swept the angle depends on μs and μr no more than "
+        "the runs scatter, and any pair agrees as well.",
         capital(measured(inversion.question)));
   const fit::LevelPoint& first = inversion.level_set.front();
   const fit::LevelPoint& middle = inversion.level_set[inversion.level_set.size() / 2];
